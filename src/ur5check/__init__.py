@@ -1,0 +1,77 @@
+"""ur5check: which number of an arm's dynamics model is wrong, and by how many newton metres.
+
+    import ur5check
+    arm = ur5check.load("paper")
+    tau = ur5check.rnea(arm, q, qd, qdd, gravity=(0, 0, -9.81))
+
+Names are found when they are first used, so that `import ur5check` costs nothing and loads no engine.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from .version import __version__
+
+if TYPE_CHECKING:
+    from .arm.serial_arm import SerialArm
+    from .checks.validation import validate
+    from .comparison.difference import diff
+    from .dynamics.equations import (
+        coriolis_matrix,
+        forward_dynamics,
+        gravity_torque,
+        kinetic_energy,
+        mass_matrix,
+        potential_energy,
+    )
+    from .dynamics.kinematics import forward_kinematics
+    from .dynamics.newton_euler import rnea
+    from .dynamics.regressor import torque_regressor
+    from .sources.loading import load
+
+_HOMES = {
+    "SerialArm": ".arm.serial_arm",
+    "coriolis_matrix": ".dynamics.equations",
+    "diff": ".comparison.difference",
+    "forward_dynamics": ".dynamics.equations",
+    "forward_kinematics": ".dynamics.kinematics",
+    "gravity_torque": ".dynamics.equations",
+    "kinetic_energy": ".dynamics.equations",
+    "load": ".sources.loading",
+    "mass_matrix": ".dynamics.equations",
+    "potential_energy": ".dynamics.equations",
+    "rnea": ".dynamics.newton_euler",
+    "torque_regressor": ".dynamics.regressor",
+    "validate": ".checks.validation",
+}
+
+__all__ = [
+    "SerialArm",
+    "__version__",
+    "coriolis_matrix",
+    "diff",
+    "forward_dynamics",
+    "forward_kinematics",
+    "gravity_torque",
+    "kinetic_energy",
+    "load",
+    "mass_matrix",
+    "potential_energy",
+    "rnea",
+    "torque_regressor",
+    "validate",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'ur5check' has no attribute {name!r}")
+    value = getattr(import_module(_HOMES[name], __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, *globals()])

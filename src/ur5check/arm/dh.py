@@ -1,0 +1,105 @@
+"""Denavit–Hartenberg rows to a `SerialArm`.
+
+Standard convention, eq. (1) of the paper:  A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i).
+Modified (Craig's) convention:  A_i = Rot_x(α_{i−1}) Trans_x(a_{i−1}) Rot_z(θ_i) Trans_z(d_i).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from .inertia import Inertia
+from .serial_arm import STANDARD_GRAVITY, Joint, Limits, Link, SerialArm, Source
+from .transforms import Array, Transform
+
+__all__ = ["DHRow", "arm_from_dh"]
+
+_X, _Z = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class DHRow:
+    """One row of a DH table with the link it moves.
+
+    d, a : [m];  alpha, offset : [rad].  The joint variable is θ = q + offset (revolute), or
+    d = q + `d` with θ = offset (prismatic).
+    r : origin of frame i−1 to origin of frame i, in frame i, shape (3,) [m].  A listing that writes
+        this vector out instead of deriving it from d and a may disagree with them: the recursion
+        sees only r, so where `r` is given it stands in place of d and a (standard convention only).
+    inertia : in the DH frame i
+    """
+
+    link: str
+    d: float
+    a: float
+    alpha: float
+    inertia: Inertia
+    joint: str
+    offset: float = 0.0
+    kind: Literal["revolute", "prismatic"] = "revolute"
+    limits: Limits = Limits()
+    r: Array | None = field(default=None)
+
+    def standard_far_end(self) -> Transform:
+        """P_i of the standard convention."""
+        turn = Transform.rotation(_X, self.alpha)
+        if self.r is None:
+            rest = Transform.translation((self.a, 0.0, self.d)) @ turn
+        else:
+            rest = Transform(turn.R, turn.R @ self.r)
+        return Transform.rotation(_Z, self.offset) @ rest
+
+
+def arm_from_dh(
+    name: str,
+    rows: Sequence[DHRow],
+    *,
+    convention: Literal["standard", "modified"] = "standard",
+    gravity: Sequence[float] = STANDARD_GRAVITY,
+    source: Source | None = None,
+) -> SerialArm:
+    """The arm that a DH table describes.
+
+    Raises ValueError if a row carries `r` under the modified convention, where frame i sits at the
+    near end of link i and r would mean something else.
+    """
+    base = Transform.identity()
+    far_ends = [row.standard_far_end() for row in rows]
+    if convention == "modified":
+        if any(row.r is not None for row in rows):
+            raise ValueError("r is a vector of the standard convention's frames")
+        befores = [
+            Transform.rotation(_X, row.alpha) @ Transform.translation((row.a, 0.0, 0.0))
+            for row in rows
+        ]
+        # The frame i of the table ends with Trans_z(d_i), and so does ours: what comes before the
+        # next joint belongs to that joint's own start.
+        afters = [
+            Transform.rotation(_Z, row.offset) @ Transform.translation((0.0, 0.0, row.d))
+            for row in rows
+        ]
+        base = befores[0]
+        far_ends = [
+            after @ before
+            for after, before in zip(afters, [*befores[1:], Transform.identity()], strict=True)
+        ]
+    links = []
+    for i, (row, far_end) in enumerate(zip(rows, far_ends, strict=True)):
+        inertia, source_frame = row.inertia, Transform.identity()
+        if convention == "modified" and i + 1 < len(rows):
+            source_frame = befores[i + 1].inverse()
+            inertia = inertia.expressed_in(source_frame)
+        links.append(Link(row.link, far_end, inertia, source_frame))
+    joints = [Joint(row.joint, np.array(_Z), row.kind, row.limits) for row in rows]
+    return SerialArm(
+        name,
+        tuple(joints),
+        tuple(links),
+        base=base,
+        gravity=np.asarray(gravity, dtype=np.float64),
+        source=source or Source(),
+    )

@@ -1,0 +1,120 @@
+"""The ten numbers that say how a rigid body moves: mass, centre of mass, inertia tensor."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .transforms import Array, Transform, frozen, skew
+
+__all__ = ["PARAMETERS", "Inertia"]
+
+#: Names of the ten inertial parameters, in the order of Pinocchio's `Inertia.toDynamicParameters`:
+#: mass [kg], first moment [kg m], and the tensor about the *frame's origin* [kg m²].
+PARAMETERS = ("m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz")
+
+_UPPER = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))  # where Ixx, Ixy, … stand in the matrix
+
+
+@dataclass(frozen=True, eq=False)
+class Inertia:
+    """A rigid body's inertia, held in some frame.
+
+    mass : [kg]
+    com : centre of mass in the frame, shape (3,) [m]
+    tensor : inertia about the centre of mass, along the frame's axes, shape (3, 3) [kg m²]
+
+    Any numbers are taken, as long as they are finite and the tensor is symmetric: whether a real
+    body could have them is asked by `principal_moments` and `triangle_margin`.
+    """
+
+    mass: float
+    com: Array
+    tensor: Array
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mass", float(frozen(self.mass, ())))
+        object.__setattr__(self, "com", frozen(self.com, (3,)))
+        tensor = frozen(self.tensor, (3, 3))
+        asymmetry = np.abs(tensor - tensor.T).max()
+        # Rotating a tensor leaves rounding off the diagonal: a few ulp of its largest entry.
+        if asymmetry > 64 * np.finfo(float).eps * np.abs(tensor).max():
+            raise ValueError(f"an inertia tensor must be symmetric, got {tensor.tolist()}")
+        object.__setattr__(self, "tensor", frozen((tensor + tensor.T) / 2, (3, 3)))
+
+    @classmethod
+    def zero(cls) -> Inertia:
+        return cls(0.0, np.zeros(3), np.zeros((3, 3)))
+
+    @classmethod
+    def from_entries(
+        cls,
+        mass: float,
+        com: ArrayLike,
+        *,
+        ixx: float,
+        iyy: float,
+        izz: float,
+        ixy: float = 0.0,
+        ixz: float = 0.0,
+        iyz: float = 0.0,
+    ) -> Inertia:
+        """From the six entries that a URDF or a table prints, about the centre of mass."""
+        tensor = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+        return cls(mass, np.asarray(com, dtype=np.float64), tensor)
+
+    @classmethod
+    def from_parameters(cls, parameters: ArrayLike) -> Inertia:
+        """From the ten parameters of `PARAMETERS`; the mass must not be zero.
+
+        The tensor about the centre of mass is I_c = I_o + m S(c)² (parallel axes).
+        """
+        pi = frozen(parameters, (10,))
+        if pi[0] == 0.0:
+            if pi.any():
+                raise ValueError("a body without mass has no centre of mass: its parameters must all be 0")
+            return cls.zero()
+        about_origin = np.zeros((3, 3))
+        for value, (row, column) in zip(pi[4:], _UPPER, strict=True):
+            about_origin[row, column] = about_origin[column, row] = value
+        com = pi[1:4] / pi[0]
+        return cls(float(pi[0]), com, about_origin + pi[0] * skew(com) @ skew(com))
+
+    def parameters(self) -> Array:
+        """The ten parameters of `PARAMETERS`, shape (10,).  I_o = I_c − m S(c)²."""
+        about_origin = self.tensor - self.mass * skew(self.com) @ skew(self.com)
+        return np.array(
+            [self.mass, *(self.mass * self.com), *(about_origin[entry] for entry in _UPPER)]
+        )
+
+    def expressed_in(self, T_ab: Transform) -> Inertia:
+        """This inertia, held in b, as the same body's inertia held in a."""
+        return Inertia(
+            self.mass, T_ab.R @ self.com + T_ab.p, T_ab.R @ self.tensor @ T_ab.R.T
+        )
+
+    def __add__(self, other: Inertia) -> Inertia:
+        """The inertia of two bodies, held in the same frame, welded together."""
+        mass = self.mass + other.mass
+        if mass == 0.0:
+            return Inertia.zero()
+        com = (self.mass * self.com + other.mass * other.com) / mass
+        tensor = np.zeros((3, 3))
+        for part in (self, other):
+            lever = skew(part.com - com)
+            tensor += part.tensor - part.mass * lever @ lever
+        return Inertia(mass, com, tensor)
+
+    def principal_moments(self) -> Array:
+        """Eigenvalues of the tensor, ascending, shape (3,) [kg m²]."""
+        return np.linalg.eigvalsh(self.tensor)
+
+    def triangle_margin(self) -> float:
+        """Smallest of I_a + I_b − I_c over the principal moments [kg m²].
+
+        Negative for no body of positive density (Wensing, Kim & Slotine 2018, eq. 8).
+        """
+        moments = self.principal_moments()
+        return float(moments[0] + moments[1] - moments[2])

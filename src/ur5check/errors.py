@@ -1,0 +1,80 @@
+"""Every error that ur5check raises on purpose, as one tree.
+
+    Ur5checkError
+    ├── InputError            something the user gave is wrong                 exit code 2
+    │   ├── ModelError        a model file or value: file, line, element, value
+    │   ├── StateError        q, qd, qdd or tau: shape, number, length
+    │   └── UsageError        an option, a name, a combination that has no meaning
+    └── EngineError           a referee is absent, or could not take the model  exit code 2
+
+An error says what is wrong *and* what to do.  `ModelError` keeps its parts as fields, so that a
+report can print them one by one and a test can look at one of them.
+"""
+
+from __future__ import annotations
+
+__all__ = ["EngineError", "InputError", "ModelError", "StateError", "Ur5checkError", "UsageError"]
+
+
+class Ur5checkError(Exception):
+    """Base of all errors raised on purpose."""
+
+
+class InputError(Ur5checkError):
+    """Something that the user gave is wrong."""
+
+
+class ModelError(InputError):
+    """A description of an arm cannot be taken as it stands.
+
+    Parameters
+    ----------
+    problem : what is wrong, as a clause ("mass is negative")
+    remedy : what to do about it, as an imperative ("give the mass in kilograms")
+    file, line : where it stands, when it stands in a file
+    element : the element, key or body that holds it ("link 'forearm' inertial/mass")
+    value : the offending value, as it was written
+    """
+
+    def __init__(
+        self,
+        problem: str,
+        *,
+        remedy: str,
+        file: str | None = None,
+        line: int | None = None,
+        element: str | None = None,
+        value: object = None,
+    ) -> None:
+        self.problem = problem
+        self.remedy = remedy
+        self.file = file
+        self.line = line
+        self.element = element
+        self.value = value
+        super().__init__(self._sentence())
+
+    def _sentence(self) -> str:
+        place = self.file or ""
+        if self.line is not None:
+            place += f":{self.line}"
+        parts = [part for part in (place, self.element) if part]
+        shown = "" if self.value is None else f" (got {_shortened(self.value)})"
+        return ": ".join([*parts, f"{self.problem}{shown}; {self.remedy}"])
+
+
+class StateError(InputError):
+    """A joint state or torque has the wrong length, shape or content."""
+
+
+class UsageError(InputError):
+    """An option, a name or a combination of them has no meaning."""
+
+
+class EngineError(Ur5checkError):
+    """A referee is not installed, or could not take the model it was given."""
+
+
+def _shortened(value: object, limit: int = 80) -> str:
+    text = repr(value)
+    return text if len(text) <= limit else text[: limit - 1] + "…"
