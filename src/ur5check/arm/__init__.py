@@ -1,7 +1,7 @@
 """What an arm is.  Pure values: nothing here reads a file or computes a torque."""
 
 from .dh import DHRow, arm_from_dh
-from .inertia import PARAMETERS, Inertia
+from .inertia import PARAMETERS, Inertia, parameter_map
 from .serial_arm import STANDARD_GRAVITY, Joint, Limits, Link, SerialArm, Source
 from .transforms import Transform
 
@@ -17,4 +17,5 @@ __all__ = [
     "Source",
     "Transform",
     "arm_from_dh",
+    "parameter_map",
 ]

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from .transforms import Array, Transform, frozen, skew
 
-__all__ = ["PARAMETERS", "Inertia"]
+__all__ = ["PARAMETERS", "Inertia", "parameter_map"]
 
 #: Names of the ten inertial parameters, in the order of Pinocchio's `Inertia.toDynamicParameters`:
 #: mass [kg], first moment [kg m], and the tensor about the *frame's origin* [kg m²].
@@ -118,3 +118,30 @@ class Inertia:
         """
         moments = self.principal_moments()
         return float(moments[0] + moments[1] - moments[2])
+
+
+def parameter_map(T_ab: Transform) -> Array:
+    """The matrix A, shape (10, 10), with π_a = A π_b: a body's parameters held in b, held in a.
+
+    The pseudo-inertia J = [[Σ, m c], [(m c)ᵀ, m]] with Σ = ½ tr(I_o) 1 − I_o moves as J_a = T J_b Tᵀ
+    (Wensing, Kim & Slotine 2018, eqs 11 and 12), which makes the map linear in π, mass or no mass.
+    """
+    T = T_ab.matrix()
+    columns = [_from_pseudo_inertia(T @ _pseudo_inertia(unit) @ T.T) for unit in np.eye(10)]
+    return np.column_stack(columns)
+
+
+def _pseudo_inertia(pi: Array) -> Array:
+    about_origin = np.zeros((3, 3))
+    for value, (row, column) in zip(pi[4:], _UPPER, strict=True):
+        about_origin[row, column] = about_origin[column, row] = value
+    J = np.empty((4, 4))
+    J[:3, :3] = 0.5 * np.trace(about_origin) * np.eye(3) - about_origin
+    J[:3, 3] = J[3, :3] = pi[1:4]
+    J[3, 3] = pi[0]
+    return J
+
+
+def _from_pseudo_inertia(J: Array) -> Array:
+    about_origin = np.trace(J[:3, :3]) * np.eye(3) - J[:3, :3]
+    return np.array([J[3, 3], *J[:3, 3], *(about_origin[entry] for entry in _UPPER)])

@@ -1,0 +1,138 @@
+"""Arrays of states in, arrays of results out, a cache-sized block at a time.
+
+Every public function of the hand-written side takes joint arrays of shape (..., n) and broadcasts
+their leading axes.  Inside, a block of states lies component-major: one contiguous row a joint.  The
+recursion makes some hundred passes over such rows, and with 4,096 states a row they stay in the
+processor's cache (measured: 0.6 µs a state, against 4.2 µs with a million states at once).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..errors import StateError
+from .vectors import Scalar
+
+__all__ = ["JointState", "evaluate", "gravity_of", "joint_array"]
+
+BLOCK = 4096
+
+
+
+@dataclass(frozen=True, slots=True)
+class JointState:
+    """One block of states, a scalar (or a row of them) per joint.
+
+    cos, sin : of q; given apart, so that a symbolic trace can bring its own
+    qd, qdd : constants 0.0 where the arm rests, which the recursion then never multiplies
+    """
+
+    q: Sequence[Scalar]
+    cos: Sequence[Scalar]
+    sin: Sequence[Scalar]
+    qd: Sequence[Scalar]
+    qdd: Sequence[Scalar]
+
+    def with_motion(self, qd: Sequence[Scalar], qdd: Sequence[Scalar]) -> JointState:
+        """The same posture, moving otherwise."""
+        return JointState(self.q, self.cos, self.sin, qd, qdd)
+
+    def resting(self) -> JointState:
+        """The same posture at rest."""
+        zeros = [0.0] * len(self.q)
+        return self.with_motion(zeros, zeros)
+
+
+def joint_array(arm: SerialArm, name: str, values: ArrayLike) -> NDArray[Any]:
+    """`values` as a float64 or complex128 array of shape (..., n).
+
+    Raises StateError if they are no numbers, not finite, or not n along the last axis.
+    """
+    try:
+        array = np.asarray(values)
+    except ValueError as error:  # ragged nested lists
+        raise StateError(f"{name} is not an array of numbers: {error}") from error
+    if array.dtype.kind not in "iufc":
+        raise StateError(
+            f"{name} must hold numbers, not {array.dtype.name}; give {arm.n} joint values a state"
+        )
+    if array.ndim == 0 or array.shape[-1] != arm.n:
+        raise StateError(
+            f"{name} has shape {array.shape}, but arm {arm.name!r} has {arm.n} joints; "
+            f"give an array of shape (..., {arm.n}) in the order {', '.join(arm.joint_names)}"
+        )
+    if not np.isfinite(array).all():
+        state = np.argwhere(~np.isfinite(array))[0]
+        raise StateError(
+            f"{name}{[int(i) for i in state]} is {array[tuple(state)]}; every entry must be finite"
+        )
+    return array.astype(np.complex128 if array.dtype.kind == "c" else np.float64, copy=False)
+
+
+def gravity_of(arm: SerialArm, gravity: ArrayLike | None) -> Array:
+    """The gravity to compute with, in the arm's base frame, shape (3,) [m/s²]: the arm's own when None."""
+    if gravity is None:
+        return arm.gravity
+    try:
+        array = np.asarray(gravity, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise StateError(f"gravity must be three numbers [m/s²], not {gravity!r}") from error
+    if array.shape != (3,) or not np.isfinite(array).all():
+        raise StateError(
+            f"gravity must be three finite numbers [m/s²], such as (0, 0, -9.81), not {gravity!r}"
+        )
+    return array
+
+
+def evaluate(
+    arm: SerialArm,
+    compute: Callable[[JointState], Sequence[Scalar]],
+    shape: tuple[int, ...],
+    q: ArrayLike,
+    qd: ArrayLike | None = None,
+    qdd: ArrayLike | None = None,
+) -> NDArray[Any]:
+    """`compute` on every state; its flat list of results, shaped (..., *shape).
+
+    None for `qd` or `qdd` means at rest: constant zeros, which cost nothing.
+
+    Raises StateError for arrays that are not of shape (..., n) or do not broadcast.
+    """
+    given = {"q": q, "qd": qd, "qdd": qdd}
+    arrays = {
+        name: joint_array(arm, name, values) for name, values in given.items() if values is not None
+    }
+    try:
+        lead = np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))
+    except ValueError as error:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise StateError(f"these shapes do not broadcast: {shapes}") from error
+    flat = {
+        name: np.broadcast_to(array, (*lead, arm.n)).reshape(-1, arm.n)
+        for name, array in arrays.items()
+    }
+    count = prod(lead)
+    results = np.empty((count, prod(shape)), np.result_type(*arrays.values()))
+    zeros = [0.0] * arm.n
+    for start in range(0, count, BLOCK):
+        block = slice(start, min(start + BLOCK, count))
+        rows = {name: np.ascontiguousarray(array[block].T) for name, array in flat.items()}
+        angles = rows["q"]
+        state = JointState(
+            list(angles),
+            list(np.cos(angles)),
+            list(np.sin(angles)),
+            list(rows.get("qd", zeros)),
+            list(rows.get("qdd", zeros)),
+        )
+        for column, value in enumerate(compute(state)):
+            results[block, column] = value
+    return results.reshape(*lead, *shape)

@@ -1,0 +1,107 @@
+"""An arm as the recursion reads it: one `LinkConstants` a link, everything in frame i.
+
+The recursion wants, of link i (paper, eqs 9–15):
+
+    R_i         rotation from frame i to frame i−1        depends on q_i when revolute
+    b_i         joint axis in frame i                     constant: J_i does not move its own axis
+    r_{i−1,i}   origin i−1 to origin i, in frame i        constant, + b_i q_i when prismatic
+    r_{i,ci}    origin i to centre of mass, m_i, I_i      constant
+
+For a joint about any unit axis u, let C be a constant rotation with C z = u.  Then
+R_i = C Rot_z(q_i) Cᵀ R(P_i): one text serves every axis, and for the axes that people use C is a
+permutation, which costs nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from .vectors import Matrix, Scalar, Vector
+
+__all__ = ["Chain", "LinkConstants", "Rotation", "chain_of"]
+
+
+@dataclass(frozen=True, slots=True)
+class LinkConstants:
+    """What the recursion knows of link i before it sees a state."""
+
+    prismatic: bool
+    before: Matrix  # C
+    after: Matrix  # Cᵀ R(P_i)
+    b: Vector  # joint axis in frame i
+    r: Vector  # r_{i−1,i} at q_i = 0 [m]
+    c: Vector  # r_{i,ci} [m]
+    m: Scalar  # [kg]
+    I: Matrix  # about the centre of mass [kg m²]  # noqa: E741 - the field's own name
+
+    def rotation(self, cos: Scalar, sin: Scalar) -> Rotation:
+        """R_i, from the cosine and sine of q_i."""
+        return Rotation(self, 1.0, 0.0) if self.prismatic else Rotation(self, cos, sin)
+
+    def reach(self, q: Scalar) -> Vector:
+        """r_{i−1,i}."""
+        return self.r + self.b * q if self.prismatic else self.r
+
+
+@dataclass(frozen=True, slots=True)
+class Rotation:
+    """R_i = C Rot_z(q_i) Cᵀ R(P_i): `R @ v` takes v from frame i to frame i−1, `R.back(v)` returns it."""
+
+    link: LinkConstants
+    cos: Scalar
+    sin: Scalar
+
+    def __matmul__(self, v: Vector) -> Vector:
+        return self.link.before @ (self.link.after @ v).turned_about_z(self.cos, self.sin)
+
+    def back(self, v: Vector) -> Vector:
+        """R_iᵀ v."""
+        turned = (self.link.before.T @ v).turned_back_about_z(self.cos, self.sin)
+        return self.link.after.T @ turned
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """The links in order, and the arm's base transform B."""
+
+    links: tuple[LinkConstants, ...]
+    base: Matrix  # rotation of B
+    origin: Vector  # translation of B [m]
+
+    def inner_gravity(self, gravity: Array) -> Vector:
+        """g_0: gravity, given in the arm's base frame, in the frame that joint 1 starts from."""
+        return self.base.T @ Vector.of(gravity)
+
+
+@lru_cache(maxsize=256)
+def chain_of(arm: SerialArm) -> Chain:
+    """The constants of an arm.  An arm never changes, so they are worked out once."""
+    links = []
+    for joint, link in zip(arm.joints, arm.links, strict=True):
+        P, C = link.far_end, _z_onto(joint.axis)
+        links.append(
+            LinkConstants(
+                prismatic=joint.kind == "prismatic",
+                before=Matrix.of(C),
+                after=Matrix.of(C.T @ P.R),
+                b=Vector.of(P.R.T @ joint.axis),
+                r=Vector.of(P.R.T @ P.p),
+                c=Vector.of(link.inertia.com),
+                m=link.inertia.mass,
+                I=Matrix.of(link.inertia.tensor),
+            )
+        )
+    return Chain(tuple(links), Matrix.of(arm.base.R), Vector.of(arm.base.p))
+
+
+def _z_onto(axis: Array) -> Array:
+    """A rotation C with C z = axis; a signed permutation when the axis is ±x, ±y or ±z."""
+    helper = np.eye(3)[(int(np.abs(axis).argmax()) + 2) % 3]
+    x = np.cross(helper, axis)
+    x /= np.linalg.norm(x)
+    return np.column_stack([x, np.cross(axis, x), axis])

@@ -1,0 +1,127 @@
+"""Three-component vectors and matrices over any scalar: a float, an array of states, a symbol.
+
+A component is a Python float when it is a constant of the arm, and anything with + − × otherwise: a
+NumPy array holding one number per state, a complex one, a SymPy expression.  Constants 0 and ±1 are
+dropped as they meet an operation, so that a chain full of zeros (a DH table is one) costs only what
+is left of it, and closed forms come out without a `0*sin(q)` in them.  Nothing is compared but those
+constants, nothing is conjugated: complex steps pass through.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+__all__ = ["ZERO", "Matrix", "Scalar", "Vector"]
+
+Scalar = Any
+
+
+def _times(a: Scalar, b: Scalar) -> Scalar:
+    for constant, other in ((a, b), (b, a)):
+        if type(constant) is float:
+            if constant == 0.0:
+                return 0.0
+            if constant == 1.0:
+                return other
+            if constant == -1.0:
+                return -other
+    return a * b
+
+
+def _plus(a: Scalar, b: Scalar) -> Scalar:
+    if type(a) is float and a == 0.0:
+        return b
+    if type(b) is float and b == 0.0:
+        return a
+    return a + b
+
+
+def _minus(a: Scalar, b: Scalar) -> Scalar:
+    if type(b) is float and b == 0.0:
+        return a
+    if type(a) is float and a == 0.0:
+        return -b
+    return a - b
+
+
+class Vector:
+    """A 3-vector; `+`, `-`, `* scalar`, `cross`, `dot`."""
+
+    __slots__ = ("x", "y", "z")
+
+    def __init__(self, x: Scalar, y: Scalar, z: Scalar) -> None:
+        self.x, self.y, self.z = x, y, z
+
+    @classmethod
+    def of(cls, values: Any) -> Vector:
+        """From three numbers, which become constants."""
+        return cls(*(float(value) for value in values))
+
+    def __iter__(self) -> Any:
+        return iter((self.x, self.y, self.z))
+
+    def __add__(self, other: Vector) -> Vector:
+        return Vector(_plus(self.x, other.x), _plus(self.y, other.y), _plus(self.z, other.z))
+
+    def __sub__(self, other: Vector) -> Vector:
+        return Vector(_minus(self.x, other.x), _minus(self.y, other.y), _minus(self.z, other.z))
+
+    def __mul__(self, scalar: Scalar) -> Vector:
+        return Vector(_times(self.x, scalar), _times(self.y, scalar), _times(self.z, scalar))
+
+    def cross(self, other: Vector) -> Vector:
+        """self × other."""
+        return Vector(
+            _minus(_times(self.y, other.z), _times(self.z, other.y)),
+            _minus(_times(self.z, other.x), _times(self.x, other.z)),
+            _minus(_times(self.x, other.y), _times(self.y, other.x)),
+        )
+
+    def dot(self, other: Vector) -> Scalar:
+        """self · other, without conjugation."""
+        xy = _plus(_times(self.x, other.x), _times(self.y, other.y))
+        return _plus(xy, _times(self.z, other.z))
+
+    def turned_about_z(self, cos: Scalar, sin: Scalar) -> Vector:
+        """Rot_z · self, from the cosine and sine of the angle."""
+        return Vector(
+            _minus(_times(cos, self.x), _times(sin, self.y)),
+            _plus(_times(sin, self.x), _times(cos, self.y)),
+            self.z,
+        )
+
+    def turned_back_about_z(self, cos: Scalar, sin: Scalar) -> Vector:
+        """Rot_zᵀ · self."""
+        return Vector(
+            _plus(_times(cos, self.x), _times(sin, self.y)),
+            _minus(_times(cos, self.y), _times(sin, self.x)),
+            self.z,
+        )
+
+
+ZERO = Vector(0.0, 0.0, 0.0)
+
+
+class Matrix:
+    """A constant 3×3 matrix; `@ Vector`, `.T`."""
+
+    __slots__ = ("T", "rows")
+
+    T: Matrix
+
+    def __init__(self, rows: Sequence[Sequence[Scalar]]) -> None:
+        self.rows = [Vector(*row) for row in rows]
+        transposed: Matrix = object.__new__(Matrix)
+        transposed.rows = [Vector(*column) for column in zip(*rows, strict=True)]
+        self.T, transposed.T = transposed, self
+
+    @classmethod
+    def of(cls, values: ArrayLike) -> Matrix:
+        """From nine numbers, which become constants."""
+        return cls([[float(entry) for entry in row] for row in values])  # type: ignore[union-attr]
+
+    def __matmul__(self, v: Vector) -> Vector:
+        return Vector(*(row.dot(v) for row in self.rows))

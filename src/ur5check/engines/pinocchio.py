@@ -1,0 +1,223 @@
+"""Pinocchio as referee.
+
+An arm that came from a URDF reaches Pinocchio as that URDF's text, through Pinocchio's own parser
+(urdfdom): nothing of ours stands between the file and the referee, so that an error in our reading
+cannot fool both sides.  An arm that came from a `pin.Model` is refereed by that model.  Only an arm
+that has neither (a DH table, a value built in Python) is handed over joint by joint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import ArrayLike
+
+from ..arm.inertia import parameter_map
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array, Transform
+from ..errors import EngineError
+
+__all__ = ["PinocchioEngine"]
+
+
+class PinocchioEngine:
+    """Pinocchio's algorithms on one arm; satisfies `engine.Engine`.
+
+    arm : the arm to referee;  gravity : in its base frame [m/s²], the arm's own when None.
+
+    Raises EngineError if Pinocchio cannot take the model, or takes a chain with other joints.
+    """
+
+    name = "Pinocchio"
+    version = str(pin.__version__)
+
+    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+        self.arm = arm
+        if arm.source.urdf is not None:
+            self.route = "URDF text, own parser"
+            whole = _parse(arm.source.urdf, arm.name)
+        elif arm.source.model is not None:
+            self.route = "pin.Model"
+            whole = arm.source.model
+        else:
+            self.route = "SerialArm"
+            whole = _build(arm)
+        self.model = _only_these_joints(whole, arm)
+        self.data = self.model.createData()
+        self._joints = [self.model.joints[self.model.getJointId(name)] for name in arm.joint_names]
+        self._rates = [joint.idx_v for joint in self._joints]
+        self._base = self._frame(arm.source.base)
+        self._tip = self._frame(arm.source.tip)
+        # Gravity is given in the arm's base frame, which need not be Pinocchio's world.
+        pin.framesForwardKinematics(self.model, self.data, pin.neutral(self.model))
+        self._T_base_world = self.data.oMf[self._base].inverse()
+        g = np.asarray(arm.gravity if gravity is None else gravity, dtype=np.float64)
+        self.model.gravity.linear = self._T_base_world.rotation.T @ g
+        self._parameters_here = _parameter_maps(arm)
+
+    def forward_kinematics(self, q: Array) -> Array:
+        """Pose of the tool in the base frame, from `framesForwardKinematics`."""
+
+        def pose(x: Array) -> Array:
+            pin.framesForwardKinematics(self.model, self.data, x)
+            return np.asarray((self._T_base_world * self.data.oMf[self._tip]).homogeneous)
+
+        return self._each(lambda x: pose(self._configuration(x)), (4, 4), q)
+
+    def inverse_dynamics(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Torques from `pin.rnea`."""
+        return self._torques(
+            lambda x, v, a: pin.rnea(self.model, self.data, x, v, a), q, qd, qdd
+        )
+
+    def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
+        """Accelerations from `pin.aba`."""
+        return self._torques(lambda x, v, t: pin.aba(self.model, self.data, x, v, t), q, qd, tau)
+
+    def bias_torque(self, q: Array, qd: Array) -> Array:
+        """C q̇ + g from `pin.nonLinearEffects`."""
+        return self._torques(
+            lambda x, v: pin.nonLinearEffects(self.model, self.data, x, v), q, qd
+        )
+
+    def gravity_torque(self, q: Array) -> Array:
+        """g from `pin.computeGeneralizedGravity`."""
+        return self._torques(
+            lambda x: pin.computeGeneralizedGravity(self.model, self.data, x), q
+        )
+
+    def mass_matrix(self, q: Array) -> Array:
+        """M from `pin.crba`, which fills the upper triangle; the lower one is its mirror image."""
+
+        def crba(x: Array) -> Array:
+            M = np.atleast_2d(pin.crba(self.model, self.data, self._configuration(x)))
+            return self._matrix(np.triu(M) + np.triu(M, 1).T)
+
+        return self._each(crba, (self.arm.n, self.arm.n), q)
+
+    def coriolis_matrix(self, q: Array, qd: Array) -> Array:
+        """C from `pin.computeCoriolisMatrix`."""
+
+        def coriolis(x: Array, v: Array) -> Array:
+            return self._matrix(
+                pin.computeCoriolisMatrix(
+                    self.model, self.data, self._configuration(x), self._velocity(v)
+                )
+            )
+
+        return self._each(coriolis, (self.arm.n, self.arm.n), q, qd)
+
+    def torque_regressor(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Y from `pin.computeJointTorqueRegressor`, its columns taken to the arm's link frames."""
+
+        def regressor(x: Array, v: Array, a: Array) -> Array:
+            Y = pin.computeJointTorqueRegressor(
+                self.model,
+                self.data,
+                self._configuration(x),
+                self._velocity(v),
+                self._velocity(a),
+            )
+            Y = np.reshape(Y, (self.model.nv, -1))[self._rates]  # one joint: pin returns a row
+            blocks = [
+                Y[:, 10 * (joint.id - 1) : 10 * joint.id] @ A
+                for joint, A in zip(self._joints, self._parameters_here, strict=True)
+            ]
+            return np.hstack(blocks)
+
+        return self._each(regressor, (self.arm.n, 10 * self.arm.n), q, qd, qdd)
+
+    def _frame(self, name: str) -> int:
+        if not self.model.existFrame(name):
+            raise EngineError(f"Pinocchio's model of {self.arm.name!r} has no frame {name!r}")
+        return int(self.model.getFrameId(name))
+
+    def _configuration(self, q: Array) -> Array:
+        """The arm's q as Pinocchio's: a continuous joint holds (cos q, sin q)."""
+        x = pin.neutral(self.model)
+        for joint, angle in zip(self._joints, q, strict=True):
+            if joint.nq == 2:
+                x[joint.idx_q : joint.idx_q + 2] = np.cos(angle), np.sin(angle)
+            else:
+                x[joint.idx_q] = angle
+        return x
+
+    def _velocity(self, rates: Array) -> Array:
+        """The arm's joint order as Pinocchio's."""
+        v = np.empty(self.model.nv)
+        v[self._rates] = rates
+        return v
+
+    def _matrix(self, entries: Array) -> Array:
+        return np.atleast_2d(entries)[np.ix_(self._rates, self._rates)]
+
+    def _torques(self, algorithm: Callable[..., Array], q: Array, *rates: Array) -> Array:
+        def one(x: Array, *rest: Array) -> Array:
+            result = algorithm(self._configuration(x), *(self._velocity(r) for r in rest))
+            return np.asarray(result)[self._rates]
+
+        return self._each(one, (self.arm.n,), q, *rates)
+
+    def _each(self, one: Callable[..., Array], shape: tuple[int, ...], *arrays: Array) -> Array:
+        """`one` on every state of arrays of shape (..., n), in a Python loop."""
+        lead = np.broadcast_shapes(*(np.shape(array)[:-1] for array in arrays))
+        rows = [np.broadcast_to(a, (*lead, self.arm.n)).reshape(-1, self.arm.n) for a in arrays]
+        results = np.empty((len(rows[0]), *shape))
+        for k, state in enumerate(zip(*rows, strict=True)):
+            results[k] = one(*state)
+        return results.reshape(*lead, *shape)
+
+
+def _parse(urdf: str, name: str) -> Any:
+    try:
+        return pin.buildModelFromXML(urdf)
+    except (ValueError, RuntimeError) as error:
+        raise EngineError(f"Pinocchio cannot read the URDF of {name!r}: {error}") from error
+
+
+def _only_these_joints(model: Any, arm: SerialArm) -> Any:
+    """`model` with every joint that is not the arm's locked at zero; always a copy."""
+    names = list(model.names)[1:]
+    missing = [name for name in arm.joint_names if name not in names]
+    if missing:
+        raise EngineError(f"Pinocchio's model of {arm.name!r} lacks joint {missing[0]!r}")
+    others = [model.getJointId(name) for name in names if name not in arm.joint_names]
+    if not others:
+        return model.copy()
+    return pin.buildReducedModel(model, others, pin.neutral(model))
+
+
+def _build(arm: SerialArm) -> Any:
+    """The arm handed over joint by joint."""
+    model = pin.Model()
+    model.name = arm.name
+    parent, placement = 0, arm.base
+    for joint, link in zip(arm.joints, arm.links, strict=True):
+        kind = (
+            pin.JointModelPrismaticUnaligned
+            if joint.kind == "prismatic"
+            else pin.JointModelRevoluteUnaligned
+        )
+        parent = model.addJoint(parent, kind(joint.axis), _se3(placement), joint.name)
+        inertia = pin.Inertia(link.inertia.mass, link.inertia.com, link.inertia.tensor)
+        model.appendBodyToJoint(parent, inertia, _se3(link.far_end))
+        placement = link.far_end
+    body = pin.FrameType.OP_FRAME
+    model.addFrame(pin.Frame(arm.source.base, 0, 0, pin.SE3.Identity(), body))
+    model.addFrame(pin.Frame(arm.source.tip, parent, 0, _se3(placement), body))
+    return model
+
+
+def _se3(T: Transform) -> Any:
+    return pin.SE3(T.R, T.p)
+
+
+def _parameter_maps(arm: SerialArm) -> list[Array]:
+    """From parameters held in frame i to parameters held in Pinocchio's joint frame.
+
+    Pinocchio's joint frame stands where the joint is, ours at the far end of the link: P_i apart.
+    """
+    return [parameter_map(link.far_end) for link in arm.links]
