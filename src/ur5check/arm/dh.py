@@ -41,7 +41,7 @@ class DHRow:
     joint: str
     offset: float = 0.0
     kind: Literal["revolute", "prismatic"] = "revolute"
-    limits: Limits = Limits()
+    limits: Limits = field(default_factory=Limits)
     r: Array | None = field(default=None)
 
     def standard_far_end(self) -> Transform:

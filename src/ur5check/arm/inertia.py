@@ -74,7 +74,9 @@ class Inertia:
         pi = frozen(parameters, (10,))
         if pi[0] == 0.0:
             if pi.any():
-                raise ValueError("a body without mass has no centre of mass: its parameters must all be 0")
+                raise ValueError(
+                    "a body without mass has no centre of mass: its parameters must all be 0"
+                )
             return cls.zero()
         about_origin = np.zeros((3, 3))
         for value, (row, column) in zip(pi[4:], _UPPER, strict=True):
@@ -91,9 +93,7 @@ class Inertia:
 
     def expressed_in(self, T_ab: Transform) -> Inertia:
         """This inertia, held in b, as the same body's inertia held in a."""
-        return Inertia(
-            self.mass, T_ab.R @ self.com + T_ab.p, T_ab.R @ self.tensor @ T_ab.R.T
-        )
+        return Inertia(self.mass, T_ab.R @ self.com + T_ab.p, T_ab.R @ self.tensor @ T_ab.R.T)
 
     def __add__(self, other: Inertia) -> Inertia:
         """The inertia of two bodies, held in the same frame, welded together."""
@@ -123,8 +123,8 @@ class Inertia:
 def parameter_map(T_ab: Transform) -> Array:
     """The matrix A, shape (10, 10), with π_a = A π_b: a body's parameters held in b, held in a.
 
-    The pseudo-inertia J = [[Σ, m c], [(m c)ᵀ, m]] with Σ = ½ tr(I_o) 1 − I_o moves as J_a = T J_b Tᵀ
-    (Wensing, Kim & Slotine 2018, eqs 11 and 12), which makes the map linear in π, mass or no mass.
+    The pseudo-inertia J = [[Σ, m c], [(m c)ᵀ, m]] with Σ = ½ tr(I_o) 1 − I_o moves as
+    J_a = T J_b Tᵀ (Wensing, Kim & Slotine 2018), which makes the map linear in π, mass or no mass.
     """
     T = T_ab.matrix()
     columns = [_from_pseudo_inertia(T @ _pseudo_inertia(unit) @ T.T) for unit in np.eye(10)]

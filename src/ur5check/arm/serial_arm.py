@@ -4,8 +4,9 @@ Every source becomes a `SerialArm`, built on one grammar:
 
     T_base→tool(q) = B · J1(q1) · P1 · J2(q2) · P2 · … · Jn(qn) · Pn
 
-`B` is fixed, `Ji(qi)` turns by qi about (or slides by qi along) a unit axis, `Pi` is fixed.  Frame i
-sits at the far end of link i, right after Pi, where the paper's recursion (eqs 9–15) has it.
+`B` is fixed, `Ji(qi)` turns by qi about (or slides by qi along) a unit axis, `Pi` is fixed.
+Frame i sits at the far end of link i, right after Pi, where the paper's recursion (eqs 9–15) has
+it.
 
     source          axis    B                      P_i
     standard DH     z       1                      Trans_z(d) Trans_x(a) Rot_x(α)
@@ -51,7 +52,7 @@ class Joint:
     name: str
     axis: Array
     kind: Literal["revolute", "prismatic"] = "revolute"
-    limits: Limits = Limits()
+    limits: Limits = field(default_factory=Limits)
 
     def __post_init__(self) -> None:
         axis = frozen(self.axis, (3,))

@@ -50,7 +50,7 @@ class LinkConstants:
 
 @dataclass(frozen=True, slots=True)
 class Rotation:
-    """R_i = C Rot_z(q_i) Cᵀ R(P_i): `R @ v` takes v from frame i to frame i−1, `R.back(v)` returns it."""
+    """R_i = C Rot_z(q_i) Cᵀ R(P_i): `R @ v` goes from frame i to frame i−1, `R.back(v)` returns."""
 
     link: LinkConstants
     cos: Scalar

@@ -19,7 +19,7 @@ from ..errors import StateError
 from .batching import JointState, evaluate, gravity_of, joint_array
 from .chain import Chain, chain_of
 from .kinematics import frames
-from .newton_euler import joint_torques, rnea
+from .newton_euler import joint_torques
 from .vectors import ZERO, Scalar, Vector
 
 __all__ = [
@@ -63,9 +63,7 @@ def coriolis_matrix(arm: SerialArm, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]
     )
 
 
-def gravity_torque(
-    arm: SerialArm, q: ArrayLike, gravity: ArrayLike | None = None
-) -> NDArray[Any]:
+def gravity_torque(arm: SerialArm, q: ArrayLike, gravity: ArrayLike | None = None) -> NDArray[Any]:
     """g(q), shape (..., n) [N m]: the torque that holds the arm still, τ(q, 0, 0).
 
     q : array-like, shape (..., n) [rad];  gravity : shape (3,), base frame [m/s²], the arm's own

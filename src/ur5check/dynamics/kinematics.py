@@ -27,7 +27,8 @@ class Frame:
     def direction(self, v: Vector) -> Vector:
         """R v: a direction given in this frame, in the base frame."""
         x, y, z = self.axes
-        return x * v.x + y * v.y + z * v.z
+        along: Vector = x * v.x + y * v.y + z * v.z
+        return along
 
     def point(self, v: Vector) -> Vector:
         """T v: a point given in this frame, in the base frame."""

@@ -78,7 +78,7 @@ def _unit_wrenches(motion: LinkMotion) -> list[tuple[Vector, Vector]]:
 def _unit_tensor(row: int, column: int, v: Vector) -> Vector:
     """E v, for the symmetric matrix E with ones at (row, column) and (column, row)."""
     components = tuple(v)
-    product = _AXES[row] * components[column]
+    product: Vector = _AXES[row] * components[column]
     return product if row == column else product + _AXES[column] * components[row]
 
 

@@ -1,10 +1,10 @@
 """Three-component vectors and matrices over any scalar: a float, an array of states, a symbol.
 
 A component is a Python float when it is a constant of the arm, and anything with + − × otherwise: a
-NumPy array holding one number per state, a complex one, a SymPy expression.  Constants 0 and ±1 are
-dropped as they meet an operation, so that a chain full of zeros (a DH table is one) costs only what
-is left of it, and closed forms come out without a `0*sin(q)` in them.  Nothing is compared but those
-constants, nothing is conjugated: complex steps pass through.
+NumPy array holding one number per state, a complex one, a SymPy expression.  Constants 0 and ±1
+are dropped as they meet an operation, so that a chain full of zeros (a DH table is one) costs only
+what is left of it, and closed forms come out without a `0*sin(q)` in them.  Nothing is compared but
+those constants, nothing is conjugated: complex steps pass through.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from numpy.typing import ArrayLike
+from ..arm.transforms import Array
 
 __all__ = ["ZERO", "Matrix", "Scalar", "Vector"]
 
@@ -119,9 +119,9 @@ class Matrix:
         self.T, transposed.T = transposed, self
 
     @classmethod
-    def of(cls, values: ArrayLike) -> Matrix:
+    def of(cls, values: Array) -> Matrix:
         """From nine numbers, which become constants."""
-        return cls([[float(entry) for entry in row] for row in values])  # type: ignore[union-attr]
+        return cls([[float(entry) for entry in row] for row in values])
 
     def __matmul__(self, v: Vector) -> Vector:
         return Vector(*(row.dot(v) for row in self.rows))

@@ -1,1 +1,1 @@
-"""The referees: other people's dynamics, asked the same questions.  Each is imported only when used."""
+"""The referees: other people's dynamics, asked the same questions; imported only when used."""

@@ -69,9 +69,7 @@ class PinocchioEngine:
 
     def inverse_dynamics(self, q: Array, qd: Array, qdd: Array) -> Array:
         """Torques from `pin.rnea`."""
-        return self._torques(
-            lambda x, v, a: pin.rnea(self.model, self.data, x, v, a), q, qd, qdd
-        )
+        return self._torques(lambda x, v, a: pin.rnea(self.model, self.data, x, v, a), q, qd, qdd)
 
     def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
         """Accelerations from `pin.aba`."""
@@ -79,15 +77,11 @@ class PinocchioEngine:
 
     def bias_torque(self, q: Array, qd: Array) -> Array:
         """C q̇ + g from `pin.nonLinearEffects`."""
-        return self._torques(
-            lambda x, v: pin.nonLinearEffects(self.model, self.data, x, v), q, qd
-        )
+        return self._torques(lambda x, v: pin.nonLinearEffects(self.model, self.data, x, v), q, qd)
 
     def gravity_torque(self, q: Array) -> Array:
         """g from `pin.computeGeneralizedGravity`."""
-        return self._torques(
-            lambda x: pin.computeGeneralizedGravity(self.model, self.data, x), q
-        )
+        return self._torques(lambda x: pin.computeGeneralizedGravity(self.model, self.data, x), q)
 
     def mass_matrix(self, q: Array) -> Array:
         """M from `pin.crba`, which fills the upper triangle; the lower one is its mirror image."""
@@ -137,7 +131,7 @@ class PinocchioEngine:
 
     def _configuration(self, q: Array) -> Array:
         """The arm's q as Pinocchio's: a continuous joint holds (cos q, sin q)."""
-        x = pin.neutral(self.model)
+        x: Array = pin.neutral(self.model)
         for joint, angle in zip(self._joints, q, strict=True):
             if joint.nq == 2:
                 x[joint.idx_q : joint.idx_q + 2] = np.cos(angle), np.sin(angle)
@@ -187,7 +181,12 @@ def _only_these_joints(model: Any, arm: SerialArm) -> Any:
     others = [model.getJointId(name) for name in names if name not in arm.joint_names]
     if not others:
         return model.copy()
-    return pin.buildReducedModel(model, others, pin.neutral(model))
+    try:
+        return pin.buildReducedModel(model, others, pin.neutral(model))
+    except (ValueError, RuntimeError) as error:
+        raise EngineError(
+            f"Pinocchio cannot lock the joints of {arm.name!r} that are not on the chain: {error}"
+        ) from error
 
 
 def _build(arm: SerialArm) -> Any:
@@ -202,7 +201,9 @@ def _build(arm: SerialArm) -> Any:
             else pin.JointModelRevoluteUnaligned
         )
         parent = model.addJoint(parent, kind(joint.axis), _se3(placement), joint.name)
-        inertia = pin.Inertia(link.inertia.mass, link.inertia.com, link.inertia.tensor)
+        # Through the ten parameters: `pin.Inertia(m, c, I)` refuses a tensor that no body could have,
+        # and the laws hold for those too.
+        inertia = pin.Inertia.FromDynamicParameters(link.inertia.parameters())
         model.appendBodyToJoint(parent, inertia, _se3(link.far_end))
         placement = link.far_end
     body = pin.FrameType.OP_FRAME

@@ -1,0 +1,120 @@
+"""Checks of numbers: could these bodies exist, is every difference of two arms explained?"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.transforms import Array
+from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH
+from ..comparison.difference import Difference
+from ..engines.engine import Engine
+from .check import Check, Measurement, Tolerance
+from .subject import Subject
+
+__all__ = ["BODIES", "PAIRS", "PairSubject"]
+
+
+@dataclass(frozen=True, eq=False)
+class PairSubject:
+    """Two arms that were compared, and the two sides that speak for them.
+
+    own : our dynamics, holding arm a;  referee : another engine, holding arm b as it was given
+    """
+
+    difference: Difference
+    own: Engine
+    referee: Engine
+
+
+def _bodies(s: Subject) -> Measurement:
+    """How far each link is from a body of positive density, as a part of its largest moment."""
+    values, details = [], []
+    for link in s.arm.links:
+        moments = link.inertia.principal_moments()
+        largest = float(np.abs(moments).max()) or 1.0
+        faults = {
+            "the mass is negative": -link.inertia.mass,
+            "a principal moment is negative": -float(moments[0]) / largest,
+            "a principal moment exceeds the sum of the others": (
+                -link.inertia.triangle_margin() / largest
+            ),
+        }
+        fault, worst = max(faults.items(), key=lambda item: item[1])
+        values.append(worst)
+        verdict = fault if worst > _PRINTED.factor else "a body that could exist"
+        details.append(
+            f"{link.name}: {verdict} (principal moments "
+            f"{', '.join(f'{moment:.4g}' for moment in moments)} kg m²)"
+        )
+    return Measurement(np.array(values), 1.0, tuple(details), per_state=False)
+
+
+_PRINTED = Tolerance(
+    1e-4,
+    "a thin plate meets the triangle inequality with equality, and sources print four digits",
+    per_joint=False,
+)
+
+BODIES: tuple[Check[Subject], ...] = (
+    Check(
+        "inertia-physical",
+        "body",
+        "every link's inertia could belong to a real body",
+        "m ≥ 0, I ≥ 0, I_a + I_b ≥ I_c (principal moments)",
+        "Wensing, Kim & Slotine 2018, eq. (8); Traversaro et al. 2016",
+        "of the largest moment",
+        _PRINTED,
+        _bodies,
+    ),
+)
+
+
+def _fk_alignment(s: PairSubject) -> Measurement:
+    alignment, tool = s.difference.pair.alignment, s.difference.tool
+    values = np.concatenate(
+        [alignment.axis_angle / SAME_ANGLE, alignment.axis_distance / SAME_LENGTH]
+    )
+    said = f"tools agree to {tool.position:.1e} m and {tool.angle:.1e} rad over all states"
+    details = (said, *alignment.unknown, *alignment.notes)
+    return Measurement(values, 1.0, details, per_state=False)
+
+
+def _account(s: PairSubject) -> Measurement:
+    """Our torques of a, less the referee's of b, less what the owners explain."""
+    states, alignment = s.difference.states, s.difference.pair.alignment
+    signs, offsets = alignment.signs, alignment.offsets
+    tau_a = s.own.inverse_dynamics(states.q, states.qd, states.qdd)
+    tau_b = signs * s.referee.inverse_dynamics(
+        signs * states.q + offsets, signs * states.qd, signs * states.qdd
+    )
+    owned = s.difference.attribution.torque.sum(axis=0)
+    left: Array = np.abs(tau_a - tau_b - owned).max(axis=1)
+    return Measurement(left, float(max(np.abs(tau_a).max(), np.abs(tau_b).max())))
+
+
+PAIRS: tuple[Check[PairSubject], ...] = (
+    Check(
+        "fk-alignment",
+        "numbers",
+        "the joint axes are the same lines in space",
+        "X · T_b(s ∘ q + o) and T_a(q) carry the same axes",
+        "base transform X, signs s and offsets o are found, not assumed: docs/conventions.md",
+        "of 1 µm or 1 µrad",
+        Tolerance(
+            1.0, "no table or file that people write carries digits below these", per_joint=False
+        ),
+        _fk_alignment,
+    ),
+    Check(
+        "account",
+        "numbers",
+        "every newton metre of the difference has an owner",
+        "τ_own(a) − τ_referee(b) = share(geometry) + share(gravity) + Ȳ (π_a − π_b)",
+        "linearity of torque in π; Shapley's average over orders: docs/checks.md",
+        "N m",
+        Tolerance(128, "rounding of two torques, and of as many regressors again"),
+        _account,
+    ),
+)

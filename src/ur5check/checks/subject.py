@@ -1,0 +1,101 @@
+"""What the laws are asked of: one arm, our dynamics, a referee, and the states to look at."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arm.serial_arm import SerialArm
+from ..arm.states import States
+from ..arm.transforms import Array
+from ..engines.engine import Engine
+
+__all__ = ["OwnDynamics", "Subject"]
+
+Numbers = NDArray[Any]
+
+
+class OwnDynamics(Engine, Protocol):
+    """An engine that also knows its energies and takes complex states: ours."""
+
+    def kinetic_energy(self, q: Numbers, qd: Numbers) -> Numbers:
+        """T, shape (...) [J]."""
+        ...
+
+    def potential_energy(self, q: Numbers) -> Numbers:
+        """U, shape (...) [J]."""
+        ...
+
+
+@dataclass(eq=False)
+class Subject:
+    """One arm under test.  What several laws need is computed once.
+
+    own : the hand-written dynamics;  referee : another engine holding the same arm
+    gravity : in the arm's base frame [m/s²]
+    """
+
+    arm: SerialArm
+    own: OwnDynamics
+    referee: Engine
+    states: States
+    gravity: Array
+
+    @cached_property
+    def tau(self) -> Array:
+        return self.own.inverse_dynamics(self.states.q, self.states.qd, self.states.qdd)
+
+    @cached_property
+    def M(self) -> Array:
+        return self.own.mass_matrix(self.states.q)
+
+    @cached_property
+    def C(self) -> Array:
+        return self.own.coriolis_matrix(self.states.q, self.states.qd)
+
+    @cached_property
+    def g(self) -> Array:
+        return self.own.gravity_torque(self.states.q)
+
+    @cached_property
+    def referee_tau(self) -> Array:
+        return self.referee.inverse_dynamics(self.states.q, self.states.qd, self.states.qdd)
+
+    @cached_property
+    def regressor(self) -> Array:
+        return self.own.torque_regressor(self.states.q, self.states.qd, self.states.qdd)
+
+    # Sizes, against which rounding is judged.
+
+    @cached_property
+    def lever_torque(self) -> float:
+        """The weight of every link on the longest lever it could have [N m].
+
+        A torque can be zero because large ones cancel; what rounding leaves then is still a part of
+        those.
+        """
+        reach, torque = 0.0, 0.0
+        for link in self.arm.links:
+            reach += float(np.linalg.norm(link.far_end.p))
+            lever = reach + float(np.linalg.norm(link.inertia.com))
+            torque += abs(link.inertia.mass) * lever
+        return torque * float(np.linalg.norm(self.gravity))
+
+    @cached_property
+    def torque_size(self) -> float:
+        """[N m]"""
+        return max(float(np.abs(self.tau).max()), self.lever_torque)
+
+    @cached_property
+    def mass_size(self) -> float:
+        """[kg m²]"""
+        return float(np.abs(self.M).max())
+
+    @cached_property
+    def rate_size(self) -> float:
+        """Size of a velocity torque matrix, [N m s]: M times the fastest joint."""
+        return self.mass_size * float(np.abs(self.states.qd).max())

@@ -1,0 +1,144 @@
+"""`ur5check.validate`: is the algorithm right, could the bodies be, are the numbers explained?"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from ..arm.serial_arm import SerialArm
+from ..arm.states import States, random_states
+from ..comparison.difference import Difference, compare, under_gravity
+from ..engines.engine import Engine
+from ..engines.own import OwnEngine
+from ..sources.loading import ArmSource, load
+from .check import Outcome, run
+from .laws import LAWS
+from .numbers import BODIES, PAIRS, PairSubject
+from .subject import Subject
+
+__all__ = ["ModelValidation", "PairValidation", "Validation", "validate", "validate_arm"]
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class ModelValidation:
+    """One arm against the laws."""
+
+    arm: SerialArm
+    referee: str
+    route: str
+    outcomes: tuple[Outcome, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class PairValidation:
+    """One arm against another: what differs, and whether all of it is explained."""
+
+    difference: Difference
+    outcomes: tuple[Outcome, ...]
+
+    @property
+    def accounted(self) -> bool:
+        """Whether every newton metre of the difference has an owner."""
+        return all(outcome.passed for outcome in self.outcomes if outcome.id == "account")
+
+
+@dataclass(frozen=True, eq=False)
+class Validation:
+    """Everything that `validate` found; `reports` shows it."""
+
+    models: tuple[ModelValidation, ...]
+    pairs: tuple[PairValidation, ...]
+    samples: int
+    seed: int
+
+    @property
+    def outcomes(self) -> tuple[Outcome, ...]:
+        """All of them, models first."""
+        of_models = [o for model in self.models for o in model.outcomes]
+        return (*of_models, *(o for pair in self.pairs for o in pair.outcomes))
+
+    @property
+    def algorithm_right(self) -> bool:
+        """Whether every law holds, for every model."""
+        return all(o.passed for o in self.outcomes if o.about == "algorithm")
+
+    @property
+    def bodies_possible(self) -> bool:
+        """Whether every link's inertia could belong to a real body."""
+        return all(o.passed for o in self.outcomes if o.about == "body")
+
+    @property
+    def accounted(self) -> bool:
+        """Whether every difference between models is explained; different axes are one, too."""
+        return all(pair.accounted for pair in self.pairs)
+
+    @property
+    def passed(self) -> bool:
+        """Different numbers are a finding, not a failure, as long as they are accounted for."""
+        return self.algorithm_right and self.bodies_possible and self.accounted
+
+
+def validate(
+    *models: ArmSource,
+    samples: int = 10_000,
+    seed: int = 0,
+    gravity: ArrayLike | None = None,
+    progress: Progress | None = None,
+) -> Validation:
+    """Check the laws on every model, with Pinocchio as referee, and account for differences.
+
+    Parameters
+    ----------
+    models : what `load` takes; the paper's tables and its appendix when none is given.  Each later
+        model is compared with the first.
+    samples, seed : how many random states, drawn from which seed
+    gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
+    progress : called with a line before each longer step
+
+    Raises
+    ------
+    InputError : a model that cannot be read, or arms that cannot be compared.
+    EngineError : Pinocchio cannot take a model.
+    """
+    from ..engines.pinocchio import PinocchioEngine
+
+    say = progress or (lambda line: None)
+    arms = []
+    for model in models or ("paper", "appendix"):
+        say(f"reading {model if isinstance(model, str) else type(model).__name__}")
+        arms.append(under_gravity(load(model), gravity))
+    referees = [PinocchioEngine(arm) for arm in arms]
+    validated = []
+    for arm, referee in zip(arms, referees, strict=True):
+        say(f"checking {arm.name} at {samples:,} states")
+        states = random_states(arm.n, samples, seed)
+        validated.append(validate_arm(arm, referee, states))
+    pairs = []
+    for arm, referee in zip(arms[1:], referees[1:], strict=True):
+        say(f"comparing {arms[0].name} with {arm.name}")
+        pairs.append(_validate_pair(arms[0], arm, referee, samples, seed))
+    return Validation(tuple(validated), tuple(pairs), samples, seed)
+
+
+def validate_arm(arm: SerialArm, referee: Engine, states: States) -> ModelValidation:
+    """Every law, and every body, of one arm."""
+    subject = Subject(arm, OwnEngine(arm), referee, states, arm.gravity)
+    outcomes = tuple(
+        run(check, subject, name=arm.name, n=arm.n, states=states) for check in (*LAWS, *BODIES)
+    )
+    return ModelValidation(arm, f"{referee.name} {referee.version}", referee.route, outcomes)
+
+
+def _validate_pair(
+    a: SerialArm, b: SerialArm, referee: Engine, samples: int, seed: int
+) -> PairValidation:
+    states = random_states(a.n, samples, seed)
+    difference = compare(a, b, states, seed)
+    subject = PairSubject(difference, OwnEngine(a), referee)
+    name = f"{a.name} against {b.name}"
+    outcomes = tuple(run(check, subject, name=name, n=a.n, states=states) for check in PAIRS)
+    return PairValidation(difference, outcomes)

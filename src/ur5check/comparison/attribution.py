@@ -1,0 +1,126 @@
+"""Whose newton metres are they?  A torque difference split exactly among its owners.
+
+Three things make τ_a and τ_b differ at the same state: the geometry of the chain (K), gravity (G)
+and the inertial parameters (π).  Each one's share is `shares.shares` of τ(K, G, π).  Torque is
+linear in π, so the last share is a regressor, averaged with the same weights, times π_a − π_b:
+
+    Δτ = share(K) + share(G) + Ȳ (π_a − π_b)
+
+which splits further, parameter by parameter, with nothing left over.  A link's ten parameters are
+not what people write down, though: they write mass, centre of mass and a tensor about that centre.
+Δπ is therefore split again by `shares` of π(m, c, I_c).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+from typing import Literal
+
+import numpy as np
+
+from ..arm.inertia import Inertia, parameter_map
+from ..arm.states import States
+from ..arm.transforms import Array
+from ..dynamics.newton_euler import rnea
+from ..dynamics.regressor import torque_regressor
+from .pair import Pair, Side
+from .shares import shares, weight
+
+__all__ = ["Attribution", "Owner", "attribute"]
+
+OwnerKind = Literal["geometry", "gravity", "mass", "centre of mass", "tensor"]
+_INERTIAL: tuple[OwnerKind, ...] = ("mass", "centre of mass", "tensor")
+
+
+@dataclass(frozen=True)
+class Owner:
+    """What a part of a torque difference belongs to; `link` counts from 1, None: the whole arm."""
+
+    kind: OwnerKind
+    link: int | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Attribution:
+    """Δτ = τ_a − τ_b at N states, split among K owners.
+
+    delta : shape (N, n) [N m]
+    torque : each owner's part, shape (K, N, n) [N m]
+    """
+
+    delta: Array
+    owners: tuple[Owner, ...]
+    torque: Array
+
+    @property
+    def remainder(self) -> Array:
+        """What no owner explains, shape (N, n) [N m]: rounding, or an error of ours."""
+        return np.asarray(self.delta - self.torque.sum(axis=0))
+
+    def rms(self) -> Array:
+        """Root mean square over the states, per owner and joint, shape (K, n) [N m]."""
+        return np.asarray(np.sqrt((self.torque**2).mean(axis=1)))
+
+    def share(self) -> Array:
+        """Part of the mean square difference that each owner makes, shape (K,); they sum to 1.
+
+        ⟨t_k, Δτ⟩ / ⟨Δτ, Δτ⟩ over states and joints: negative for an owner that works against the
+        others.  All zero where there is no difference.
+        """
+        power = float((self.delta**2).sum())
+        if power == 0.0:
+            return np.zeros(len(self.owners))
+        return np.asarray((self.torque * self.delta).sum(axis=(1, 2)) / power)
+
+
+def attribute(pair: Pair, states: States) -> Attribution:
+    """Split the torque difference of a pair of arms, at every state, among its owners."""
+    q, qd, qdd = states.q, states.qd, states.qdd
+
+    def torque(choice: tuple[bool, ...]) -> Array:
+        geometry, gravity, inertias = (_side(is_a) for is_a in choice)
+        return rnea(pair.arm(geometry, inertias, gravity), q, qd, qdd)
+
+    geometry_share, gravity_share, _ = shares(torque, 3)
+    inertial = np.zeros((3 * pair.a.n, *q.shape))
+    dpi = _inertial_differences(pair)  # (n links, 3 owners, 10), in a's link frames
+    for is_a in product((True, False), repeat=2):
+        geometry, gravity = (_side(choice) for choice in is_a)
+        Y = torque_regressor(pair.arm(geometry, geometry, gravity), q, qd, qdd)
+        parts = np.concatenate(_per_link(Y, dpi, pair, geometry))
+        inertial += weight(sum(is_a), 3) * parts
+    owners = [Owner("geometry"), Owner("gravity")]
+    owners += [Owner(kind, link) for link in range(1, pair.a.n + 1) for kind in _INERTIAL]
+    delta = rnea(pair.a, q, qd, qdd) - rnea(pair.b, q, qd, qdd)
+    torques = np.concatenate([geometry_share[None], gravity_share[None], inertial])
+    return Attribution(delta, tuple(owners), torques)
+
+
+def _per_link(Y: Array, dpi: Array, pair: Pair, geometry: Side) -> list[Array]:
+    """Y Δπ of every owner, shape (3, N, n) a link; Δπ is taken to the frames of Y first."""
+    parts = []
+    for i, T in enumerate(pair.link_maps):
+        columns = Y[..., 10 * i : 10 * i + 10]
+        if geometry == "b":
+            columns = columns @ parameter_map(T.inverse())
+        parts.append(np.moveaxis(columns @ dpi[i].T, -1, 0))
+    return parts
+
+
+def _inertial_differences(pair: Pair) -> Array:
+    """π_a − π_b of each link, split among mass, centre and tensor, shape (n, 3, 10)."""
+    differences = []
+    for la, lb, T in zip(pair.a.links, pair.b.links, pair.link_maps, strict=True):
+        a, b = la.inertia, lb.inertia.expressed_in(T)
+
+        def parameters(choice: tuple[bool, ...], a: Inertia = a, b: Inertia = b) -> Array:
+            m, c, I_c = (a if is_a else b for is_a in choice)
+            return Inertia(m.mass, c.com, I_c.tensor).parameters()
+
+        differences.append(shares(parameters, 3))
+    return np.array(differences)
+
+
+def _side(is_a: bool) -> Side:
+    return "a" if is_a else "b"

@@ -1,0 +1,91 @@
+"""Two arms in one set of joint coordinates, one base frame, and corresponding link frames."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Transform
+from ..dynamics.kinematics import link_frames
+from .alignment import SAME_ANGLE, SAME_LENGTH, Alignment, align, arm_in_coordinates_of
+
+__all__ = ["Pair", "Side", "pair_up"]
+
+Side = Literal["a", "b"]
+
+#: When two geometries differ, link frames whose axes differ by less than this [rad] were written by
+#: the same recipe, and a link's numbers are compared as they stand in them.  Half a degree: more
+#: than any rounded angle, less than any two recipes differ by.
+_SAME_RECIPE = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """Arms `a` and `b`, ready to be compared at the same q.
+
+    a : the first arm, as given
+    b : the second, in a's joint coordinates and base frame
+    given_b : the second, as given
+    alignment : how b was brought there
+    link_maps : for each link, the transform from b's link frame to a's in which the two links'
+        inertias are held against each other, T_{a,i ← b,i}
+    """
+
+    a: SerialArm
+    b: SerialArm
+    given_b: SerialArm
+    alignment: Alignment
+    link_maps: tuple[Transform, ...]
+
+    def arm(self, geometry: Side, inertias: Side, gravity: Side) -> SerialArm:
+        """The arm with one side's geometry, inertias and gravity each, in a's coordinates."""
+        arm = self.a if geometry == "a" else self.b
+        if geometry != inertias:
+            arm = arm.with_inertias(
+                [
+                    link.inertia.expressed_in(T if inertias == "b" else T.inverse())
+                    for link, T in zip(
+                        (self.b if inertias == "b" else self.a).links, self.link_maps, strict=True
+                    )
+                ]
+            )
+        return arm.with_gravity((self.a if gravity == "a" else self.b).gravity)
+
+
+def pair_up(a: SerialArm, b: SerialArm) -> Pair:
+    """Align b with a and find the frames in which their links correspond.
+
+    Raises UsageError if the arms have different numbers or kinds of joints.
+    """
+    alignment = align(a, b)
+    moved = arm_in_coordinates_of(a, b, alignment)
+    return Pair(a, moved, b, alignment, _link_maps(a, moved, alignment.exact))
+
+
+def _link_maps(a: SerialArm, b: SerialArm, same_axes: bool) -> tuple[Transform, ...]:
+    """Link frames that coincide in space at q = 0 correspond; so do those of one recipe.
+
+    Two files written in the same frames are compared digit by digit, untouched by rounding: a map
+    between source frames that is the identity within the tolerance of the axes becomes exactly so.
+    With unequal geometry nothing coincides, and frames that point the same way are taken as the
+    same, so that a wrong length counts as geometry and not as a centre of mass too.
+    """
+    rest = [0.0] * a.n
+    in_space = [
+        Transform.from_matrix(T_a).inverse() @ Transform.from_matrix(T_b)
+        for T_a, T_b in zip(link_frames(a, rest), link_frames(b, rest), strict=True)
+    ]
+    between_sources = [
+        la.source_frame.inverse() @ T @ lb.source_frame
+        for la, T, lb in zip(a.links, in_space, b.links, strict=True)
+    ]
+    as_written = [
+        la.source_frame @ lb.source_frame.inverse() for la, lb in zip(a.links, b.links, strict=True)
+    ]
+    if not same_axes and all(E.angle() < _SAME_RECIPE for E in between_sources):
+        return tuple(as_written)
+    return tuple(
+        written if E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH else T
+        for T, E, written in zip(in_space, between_sources, as_written, strict=True)
+    )

@@ -1,0 +1,68 @@
+"""The numbers of two arms side by side, link by link, in the frames of the first one's file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.inertia import Inertia
+from .pair import Pair
+
+__all__ = ["LinkParameters", "compare_parameters"]
+
+
+@dataclass(frozen=True, eq=False)
+class LinkParameters:
+    """One link's inertia in both arms, in the frame in which arm a's source wrote it.
+
+    link : number, from 1;  name_a, name_b : the link's name in either source
+    """
+
+    link: int
+    name_a: str
+    name_b: str
+    a: Inertia
+    b: Inertia
+
+    def rows(self) -> list[tuple[str, str, float, float]]:
+        """(quantity, unit, value in a, value in b) of the ten numbers that people write down."""
+        rows = [("mass", "kg", self.a.mass, self.b.mass)]
+        for axis, com_a, com_b in zip("xyz", self.a.com, self.b.com, strict=True):
+            rows.append((f"centre of mass {axis}", "m", float(com_a), float(com_b)))
+        for entry in ("xx", "yy", "zz", "xy", "xz", "yz"):
+            where = ("xyz".index(entry[0]), "xyz".index(entry[1]))
+            tensor_a, tensor_b = float(self.a.tensor[where]), float(self.b.tensor[where])
+            rows.append((f"I{entry}", "kg m²", tensor_a, tensor_b))
+        return rows
+
+    def centre_distance(self) -> float:
+        """How far apart the two centres of mass lie [m]."""
+        return float(np.linalg.norm(self.a.com - self.b.com))
+
+    def moment_ratio(self) -> float:
+        """Largest ratio a : b of corresponding principal moments, inverted if below one."""
+        moments_a, moments_b = self.a.principal_moments(), self.b.principal_moments()
+        if moments_a.min() <= 0.0 or moments_b.min() <= 0.0:
+            return float("nan")  # no body has such moments, and their ratio says nothing
+        ratios = moments_a / moments_b
+        return float(max(ratios.max(), 1.0 / ratios.min()))
+
+
+def compare_parameters(pair: Pair) -> tuple[LinkParameters, ...]:
+    """Every link's inertia in both arms, in arm a's source frames."""
+    rows = []
+    for i, (la, lb, T) in enumerate(
+        zip(pair.a.links, pair.b.links, pair.link_maps, strict=True), 1
+    ):
+        to_source = la.source_frame.inverse()
+        rows.append(
+            LinkParameters(
+                i,
+                la.name,
+                lb.name,
+                la.inertia.expressed_in(to_source),
+                lb.inertia.expressed_in(to_source @ T),
+            )
+        )
+    return tuple(rows)

@@ -1,0 +1,6 @@
+"""Where an arm comes from: files, the catalog, engines' models.
+
+All reading, and all strictness, is here.
+
+`load` in `loading` is the one door; the readers behind it stand in files of their own.
+"""

@@ -1,0 +1,75 @@
+"""Numbers as they were printed: a value, and how far rounding may have moved it.
+
+A file prints an inertia with so many digits, and a tensor that broke no law before it was printed
+may break one after.  How far it may, the digits themselves say.
+"""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+
+__all__ = ["Printed", "plain_number"]
+
+# float() also takes "nan", "inf", "1_000" and " 1 "; a model file may not.
+_PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\Z", re.ASCII)
+
+# Programs that print the shortest text of a number drop trailing zeros: "0.1" may be known to many
+# digits.  So a text of one digit is not taken as a number known to one digit: that would let
+# the moments (0.1, 0.1, 0.3), impossible by half of the largest, pass as rounding.
+_LEAST_DIGITS = 2
+
+
+class Printed(float):
+    """A number that remembers its text."""
+
+    text: str
+
+    def __new__(cls, text: str) -> Printed:
+        number = super().__new__(cls, text)
+        number.text = text
+        return number
+
+    @property
+    def rounding(self) -> float:
+        """Half a unit in the last digit printed: how far the number meant may lie from this one.
+
+        Zeros and whole numbers are exact: nobody rounds an inertia to whole kg m².
+        """
+        if not any(mark in self.text for mark in ".eE"):
+            return 0.0
+        number = Decimal(self.text.strip())
+        if number.is_zero():
+            return 0.0
+        exponent = number.as_tuple().exponent
+        if not isinstance(exponent, int):  # nan and inf have a letter here
+            return 0.0
+        last_digit = min(exponent, number.adjusted() - (_LEAST_DIGITS - 1))
+        return float(Decimal(5).scaleb(last_digit - 1))
+
+
+def plain_number(text: str) -> Printed:
+    """The number that `text` writes in plain decimal notation.
+
+    Raises ValueError, saying what is wrong, for anything else: nan, inf, a decimal comma, digits
+    grouped with underscores, an expression, a number beyond a double's range.
+    """
+    stripped = text.strip()
+    if not _PLAIN.match(stripped):
+        raise ValueError(_reason(stripped))
+    number = Printed(stripped)
+    if number in (float("inf"), float("-inf")):
+        raise ValueError("is larger than a double can hold")
+    return number
+
+
+def _reason(text: str) -> str:
+    if not text:
+        return "is empty where a number belongs"
+    if "${" in text or "$(" in text:
+        return "is an unexpanded xacro expression"
+    if text.lstrip("+-").lower() in ("nan", "inf", "infinity"):
+        return "is not finite"
+    if re.fullmatch(r"[+-]?\d+,\d+", text):
+        return "has a decimal comma"
+    return "is not a plain number"
