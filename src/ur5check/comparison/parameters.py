@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arm.inertia import Inertia
+from ..arm.serial_arm import Link
+from ..arm.transforms import Array
 from .pair import Pair
 
 __all__ = ["LinkParameters", "compare_parameters"]
@@ -14,9 +16,12 @@ __all__ = ["LinkParameters", "compare_parameters"]
 
 @dataclass(frozen=True, eq=False)
 class LinkParameters:
-    """One link's inertia in both arms, in the frame in which arm a's source wrote it.
+    """One link's numbers in both arms, in the frame in which arm a's source wrote them.
 
     link : number, from 1;  name_a, name_b : the link's name in either source
+    reach_a, reach_b : from the link's joint to its far end, shape (3,) [m]: r_{i−1,i} of a DH
+        listing, the next joint's origin of a URDF.  Where axes coincide, two files may still put
+        frames at different places along them; then these differ and nothing else does.
     """
 
     link: int
@@ -24,6 +29,8 @@ class LinkParameters:
     name_b: str
     a: Inertia
     b: Inertia
+    reach_a: Array
+    reach_b: Array
 
     def rows(self) -> list[tuple[str, str, float, float]]:
         """(quantity, unit, value in a, value in b) of the ten numbers that people write down."""
@@ -63,6 +70,13 @@ def compare_parameters(pair: Pair) -> tuple[LinkParameters, ...]:
                 lb.name,
                 la.inertia.expressed_in(to_source),
                 lb.inertia.expressed_in(to_source @ T),
+                to_source.R @ _reach(la),
+                to_source.R @ T.R @ _reach(lb),
             )
         )
     return tuple(rows)
+
+
+def _reach(link: Link) -> Array:
+    """r_{i−1,i}: from the joint to the far end, in frame i."""
+    return link.far_end.R.T @ link.far_end.p

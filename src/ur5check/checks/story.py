@@ -1,0 +1,52 @@
+"""A validation told in a few sentences, the verdict first."""
+
+from __future__ import annotations
+
+from ..comparison import story as difference_story
+from .check import Outcome
+from .validation import Validation
+
+__all__ = ["tell"]
+
+
+def tell(validation: Validation) -> tuple[str, ...]:
+    """One sentence each on the algorithm and the bodies, then the story of every difference."""
+    sentences = [_algorithm(validation), _bodies(validation)]
+    for pair in validation.pairs:
+        sentences += difference_story.tell(pair.difference)
+        if not pair.accounted:
+            (account,) = (o for o in pair.outcomes if o.id == "account")
+            sentences.append(
+                f"NOT EXPLAINED: {account.value:.2g} N m of the difference have no owner "
+                f"(rounding allows {account.tolerance:.1g} N m)."
+            )
+    return tuple(sentences)
+
+
+def _algorithm(validation: Validation) -> str:
+    laws = [o for o in validation.outcomes if o.about == "algorithm"]
+    broken = [o for o in laws if not o.passed]
+    if broken:
+        return f"The algorithm is WRONG: {len(broken)} of {len(laws)} laws fail, {_first(broken)}."
+    models = len(validation.models)
+    each = len(laws) // models
+    referee = validation.models[0].referee
+    return (
+        f"The algorithm is right: all {each} laws hold on {'both' if models == 2 else models} "
+        f"model{'s' if models > 1 else ''} at {validation.samples:,} states, {referee} refereeing."
+    )
+
+
+def _bodies(validation: Validation) -> str:
+    impossible = [o for o in validation.outcomes if o.about == "body" and not o.passed]
+    if impossible:
+        return f"A link's inertia belongs to NO REAL BODY: {_first(impossible)}."
+    return "Every link's inertia could belong to a real body."
+
+
+def _first(outcomes: list[Outcome]) -> str:
+    worst = outcomes[0]
+    return (
+        f"first {worst.id} on {worst.subject} ({worst.value:.2g} {worst.unit}, "
+        f"allowed {worst.tolerance:.1g})"
+    )
