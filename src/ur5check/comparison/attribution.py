@@ -30,6 +30,9 @@ from .shares import shares, weight
 __all__ = ["Attribution", "Owner", "attribute"]
 
 OwnerKind = Literal["geometry", "gravity", "mass", "centre of mass", "tensor"]
+#: Two torques, each rounded some 32 times a joint by ε of the largest.
+_ROUNDING = 64 * float(np.finfo(np.float64).eps)
+
 _INERTIAL: tuple[OwnerKind, ...] = ("mass", "centre of mass", "tensor")
 
 
@@ -47,11 +50,13 @@ class Attribution:
 
     delta : shape (N, n) [N m]
     torque : each owner's part, shape (K, N, n) [N m]
+    rounding : what rounding alone makes of a difference [N m]
     """
 
     delta: Array
     owners: tuple[Owner, ...]
     torque: Array
+    rounding: float
 
     @property
     def remainder(self) -> Array:
@@ -66,11 +71,11 @@ class Attribution:
         """Part of the mean square difference that each owner makes, shape (K,); they sum to 1.
 
         ⟨t_k, Δτ⟩ / ⟨Δτ, Δτ⟩ over states and joints: negative for an owner that works against the
-        others.  All zero where there is no difference.
+        others.  All zero where there is no difference but rounding, which nobody owns.
         """
-        power = float((self.delta**2).sum())
-        if power == 0.0:
+        if float(np.abs(self.delta).max()) <= self.rounding:
             return np.zeros(len(self.owners))
+        power = float((self.delta**2).sum())
         return np.asarray((self.torque * self.delta).sum(axis=(1, 2)) / power)
 
 
@@ -92,9 +97,10 @@ def attribute(pair: Pair, states: States) -> Attribution:
         inertial += weight(sum(is_a), 3) * parts
     owners = [Owner("geometry"), Owner("gravity")]
     owners += [Owner(kind, link) for link in range(1, pair.a.n + 1) for kind in _INERTIAL]
-    delta = rnea(pair.a, q, qd, qdd) - rnea(pair.b, q, qd, qdd)
+    tau_a, tau_b = rnea(pair.a, q, qd, qdd), rnea(pair.b, q, qd, qdd)
+    rounding = _ROUNDING * pair.a.n * float(max(np.abs(tau_a).max(), np.abs(tau_b).max()))
     torques = np.concatenate([geometry_share[None], gravity_share[None], inertial])
-    return Attribution(delta, tuple(owners), torques)
+    return Attribution(tau_a - tau_b, tuple(owners), torques, rounding)
 
 
 def _per_link(Y: Array, dpi: Array, pair: Pair, geometry: Side) -> list[Array]:

@@ -154,7 +154,7 @@ def _turns(
         d, t = ahead.R @ b.joints[k].axis, back.R @ (targets[k].R @ a.joints[k].axis)
         d_across, t_across = across(d, joint.axis), across(t, joint.axis)
         if np.linalg.norm(d_across) > NEAR_ANGLE and np.linalg.norm(t_across) > NEAR_ANGLE:
-            for sign in (1.0, -1.0) if k == i + 1 else (1.0,):
+            for sign in (1.0, -1.0):
                 angle = angle_about(joint.axis, d_across, sign * t_across)
                 yield from _arrived(a, b, walk, i, angle, targets)
             return

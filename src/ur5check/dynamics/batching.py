@@ -134,4 +134,4 @@ def evaluate(
         )
         for column, value in enumerate(compute(state)):
             results[block, column] = value
-    return results.reshape(*lead, *shape)
+    return results.reshape((*lead, *shape))

@@ -1,0 +1,79 @@
+"""Print the URDF that a xacro stands for, without ROS."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from ..errors import UsageError
+from .options import add_output_options, name_value_pairs, progress
+from .output import check_output, emit
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = """\
+examples:
+  ur5check expand appendix -o ur5.urdf
+  ur5check expand robot.urdf.xacro --package my_robot=. --arg prefix:=left_
+"""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `expand` takes."""
+    parser.add_argument("file", metavar="FILE", help="a .xacro file, or the name of a model")
+    parser.add_argument("--package", action="append", default=[], metavar="NAME=DIR")
+    parser.add_argument("--arg", action="append", default=[], metavar="NAME:=VALUE")
+    add_output_options(parser, formats=False)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Expand and print."""
+    from ..sources.catalog import CATALOG
+    from ..sources.packages import default_packages
+    from ..sources.xacro_file import expand_xacro
+    from .inputs import input_files
+
+    arguments = name_value_pairs(args.arg, "--arg", ":=")
+    packages = name_value_pairs(args.package, "--package", "=")
+    entry = CATALOG.get(args.file)
+    path = entry.path() if entry else Path(args.file)
+    kind = entry.kind if entry else path.suffix.lower().removeprefix(".")
+    check_output(args.output, (path,))
+    if kind == "urdf":
+        text = _urdf(path, args.file, arguments)
+        progress(args.quiet, f"{args.file} is a URDF: there is nothing to expand")
+    elif kind == "xacro":
+        expansion = expand_xacro(
+            path, arguments=arguments, packages=default_packages().with_packages(packages)
+        )
+        for warning in expansion.warnings:
+            progress(args.quiet, " ".join(f"xacro says: {warning}".split()))
+        check_output(args.output, input_files(args.file, expansion.inputs, packages))
+        text = expansion.text
+    else:
+        raise UsageError(_not_a_xacro(args.file, kind))
+    emit(text if text.endswith("\n") else f"{text}\n", args.output)
+    return 0
+
+
+def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:
+    from ..sources.xml_text import checked_xml
+
+    if arguments:
+        raise UsageError(f"--arg has no meaning for {name}: it is a URDF, not a xacro")
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise UsageError(f"{name}: cannot be read: {error.strerror}; check the path") from None
+    return checked_xml(data, name)
+
+
+def _not_a_xacro(name: str, kind: str) -> str:
+    from ..sources.catalog import CATALOG
+    from ..sources.suggestions import did_you_mean
+
+    if kind in ("dh", "toml"):
+        return (
+            f"{name} is a DH table: there is no xacro in it to expand; see `ur5check show {name}`"
+        )
+    return f"{name} is no xacro and no model's name; give a .xacro file ({did_you_mean(name, CATALOG)})"

@@ -1,0 +1,28 @@
+"""Which files a model was read from, so that -o overwrites none of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from ..errors import ModelError
+from ..sources.catalog import CATALOG
+from ..sources.packages import default_packages
+
+__all__ = ["input_files"]
+
+
+def input_files(
+    model: str, inputs: Iterable[tuple[str, str]], packages: Mapping[str, str]
+) -> list[Path]:
+    """The model's own file, and those named in its `inputs` that can be found again."""
+    file = CATALOG[model].path() if model in CATALOG else Path(model)
+    map_of_packages = default_packages().with_packages(packages)
+    files = [file]
+    for name, _ in inputs:
+        try:
+            files.append(map_of_packages.resolve(name, file.parent))
+        except ModelError:
+            # A label, such as the one of a shipped model: that file stands in the list already.
+            continue
+    return files

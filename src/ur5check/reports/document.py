@@ -1,0 +1,91 @@
+"""What every report is before it is shown: a small tree of words and tables.
+
+    Document ── verdict, what stands out
+             ├─ Section ── lines
+             │          └─ Table ── columns, rows of text
+             └─ Provenance
+
+A renderer (`terminal`, `markdown`) shows any Document; what is in one is decided in
+`validation_document`, `difference_document` and `arm_document`.  All numbers are text by then.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .provenance import Provenance
+
+__all__ = ["Column", "Document", "Row", "Section", "Table", "Verdict"]
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a table.
+
+    title : with the unit, if all its numbers share one ("RMS [N m]")
+    number : its cells are set on their decimal points and never broken into lines
+    """
+
+    title: str
+    number: bool = False
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row; `bad` if it is about something that failed."""
+
+    cells: tuple[str, ...]
+    bad: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under columns.
+
+    title : above it;  note : below it, what a reader needs to read it right
+    """
+
+    columns: tuple[Column, ...]
+    rows: tuple[Row, ...]
+    title: str = ""
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        for row in self.rows:
+            if len(row.cells) != len(self.columns):
+                raise ValueError(f"{len(row.cells)} cells under {len(self.columns)} columns")
+
+
+@dataclass(frozen=True)
+class Section:
+    """A heading with what belongs under it."""
+
+    title: str
+    lines: tuple[str, ...] = ()
+    tables: tuple[Table, ...] = ()
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a reader with five seconds should take away.
+
+    word : PASS, FAIL, AGREE, DIFFER;  text : a sentence;  good : whether the exit code is 0
+    """
+
+    word: str
+    text: str
+    good: bool
+
+
+@dataclass(frozen=True)
+class Document:
+    """A whole report.
+
+    lines : what stands out, one sentence each
+    """
+
+    title: str
+    verdict: Verdict | None
+    lines: tuple[str, ...]
+    sections: tuple[Section, ...]
+    provenance: Provenance

@@ -1,0 +1,232 @@
+"""Results as plain values for JSON.  Every field is documented in docs/json.md.
+
+Strict JSON has no nan and no infinity: they become null.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from ..arm.inertia import Inertia
+from ..arm.serial_arm import Joint, SerialArm
+from ..checks.check import Outcome
+from ..checks.story import tell as tell_validation
+from ..checks.validation import Validation
+from ..comparison.difference import Difference
+from ..comparison.story import tell as tell_difference
+from .law_table import exceeds
+from .provenance import Provenance, inputs_of
+
+__all__ = ["arm_json", "difference_json", "json_text", "validation_json"]
+
+Report = dict[str, Any]
+
+
+def validation_json(v: Validation, *, command: str = "") -> Report:
+    """`validate` as ur5check.validation/1."""
+    arms = [model.arm for model in v.models]
+    return _plain(
+        {
+            **_head("validation", arms, command, v.seed, v.samples),
+            "verdict": {
+                "passed": v.passed,
+                "algorithm": v.algorithm_right,
+                "bodies": v.bodies_possible,
+                "accounted": v.accounted,
+            },
+            "story": tell_validation(v),
+            "models": [
+                {**_model(model.arm), "referee": model.referee, "route": model.route}
+                for model in v.models
+            ],
+            "checks": [_check(outcome) for outcome in v.outcomes],
+            "differences": [_difference(pair.difference) for pair in v.pairs],
+        }
+    )
+
+
+def difference_json(d: Difference, *, command: str = "") -> Report:
+    """`diff` as ur5check.difference/1."""
+    arms = [d.pair.a, d.pair.given_b]
+    head = _head("difference", arms, command, d.seed, len(d.states))
+    return _plain({**head, **_difference(d)})
+
+
+def arm_json(arm: SerialArm, *, command: str = "") -> Report:
+    """`show` as ur5check.arm/1."""
+    return _plain(
+        {
+            **_head("arm", [arm], command),
+            **_model(arm),
+            "gravity": arm.gravity,
+            "base_transform": arm.base.matrix(),
+            "joints": [_joint(joint) for joint in arm.joints],
+            "links": [
+                {
+                    "name": link.name,
+                    "far_end": link.far_end.matrix(),
+                    "source_frame": link.source_frame.matrix(),
+                    "inertia": _inertia(link.inertia),
+                }
+                for link in arm.links
+            ],
+        }
+    )
+
+
+def json_text(report: Report) -> str:
+    """The report as strict JSON."""
+    return json.dumps(report, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _head(
+    kind: str,
+    arms: Iterable[SerialArm],
+    command: str,
+    seed: int | None = None,
+    samples: int | None = None,
+) -> Report:
+    made = Provenance(inputs_of(arms), seed, samples, command)
+    head: Report = {
+        "schema": f"ur5check.{kind}/1",
+        "tool": {"name": "ur5check", "version": made.version, "libraries": made.libraries},
+        "command": made.command or None,
+        "inputs": [{"name": name, "sha256": digest} for name, digest in made.inputs],
+    }
+    return head if samples is None else {**head, "seed": seed, "samples": samples}
+
+
+def _model(arm: SerialArm) -> Report:
+    source = arm.source
+    return {
+        "name": arm.name,
+        "kind": source.kind,
+        "base": source.base,
+        "tip": source.tip,
+        "notes": source.notes,
+    }
+
+
+def _check(o: Outcome) -> Report:
+    return {
+        "id": o.id,
+        "about": o.about,
+        "subject": o.subject,
+        "statement": o.statement,
+        "formula": o.formula,
+        "status": o.status,
+        "value": o.value,
+        "tolerance": o.tolerance,
+        "bound": "above" if exceeds(o) else "at most",
+        "unit": o.unit,
+        "samples": o.samples,
+        "worst_state": o.worst_state,
+        "details": o.details,
+    }
+
+
+def _difference(d: Difference) -> Report:
+    alignment = d.pair.alignment
+    return {
+        "agrees": d.agrees,
+        "story": tell_difference(d),
+        "a": _model(d.pair.a),
+        "b": _model(d.pair.given_b),
+        "alignment": {
+            "exact": alignment.exact,
+            "T_ab": alignment.T_ab.matrix(),
+            "signs": alignment.signs,
+            "offsets": alignment.offsets,
+            "axis_angle": alignment.axis_angle,
+            "axis_distance": alignment.axis_distance,
+            "tool": alignment.tool.matrix(),
+            "unknown": alignment.unknown,
+            "notes": alignment.notes,
+        },
+        "kinematics": {
+            "position_max": d.tool.position,
+            "angle_max": d.tool.angle,
+            "worst_state": d.states[d.tool.worst],
+        },
+        "parameters": [
+            {
+                "link": link.link,
+                "name_a": link.name_a,
+                "name_b": link.name_b,
+                "a": _inertia(link.a),
+                "b": _inertia(link.b),
+                "reach_a": link.reach_a,
+                "reach_b": link.reach_b,
+                "centre_distance": link.centre_distance(),
+                "moment_ratio": link.moment_ratio(),
+            }
+            for link in d.parameters
+        ],
+        "torques": _torques(d),
+        "account": _account(d),
+    }
+
+
+def _torques(d: Difference) -> list[Report]:
+    share = d.torques.share_of_effort()
+    return [
+        {
+            "joint": joint.name,
+            "rms": d.torques.rms[i],
+            "max": d.torques.maximum[i],
+            "worst_state": d.states[int(d.torques.worst[i])],
+            "rms_of_a": d.torques.scale[i],
+            "effort_limit": d.torques.effort[i],
+            "max_share_of_effort": share[i],
+        }
+        for i, joint in enumerate(d.pair.a.joints)
+    ]
+
+
+def _account(d: Difference) -> Report:
+    share, rms = d.attribution.share(), d.attribution.rms()
+    return {
+        "owners": [
+            {"kind": owner.kind, "link": owner.link, "rms": rms[k], "share": share[k]}
+            for k, owner in enumerate(d.attribution.owners)
+        ],
+        "remainder_max": np.abs(d.attribution.remainder).max(),
+    }
+
+
+def _joint(joint: Joint) -> Report:
+    limits = joint.limits
+    return {
+        "name": joint.name,
+        "kind": joint.kind,
+        "axis": joint.axis,
+        "limits": {
+            "lower": limits.lower,
+            "upper": limits.upper,
+            "velocity": limits.velocity,
+            "effort": limits.effort,
+        },
+    }
+
+
+def _inertia(inertia: Inertia) -> Report:
+    return {"mass": inertia.mass, "com": inertia.com, "tensor": inertia.tensor}
+
+
+def _plain(value: Any) -> Any:
+    """Arrays and tuples as lists, NumPy's numbers as Python's, what is no number as None."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, np.ndarray | np.generic):
+        return _plain(value.tolist())
+    if isinstance(value, float):
+        # Adding 0.0 turns −0.0, which readers stumble over, into 0.0.
+        return value + 0.0 if math.isfinite(value) else None
+    return value

@@ -1,0 +1,63 @@
+"""The laws as one compact table: what must hold, how far from true it is, how far it may be."""
+
+from __future__ import annotations
+
+import math
+
+from ..checks.check import Outcome
+from ..checks.validation import Validation
+from .document import Column, Row, Table
+from .wording import residue
+
+__all__ = ["exceeds", "law_table"]
+
+# With more models than this, a column each would not fit: the worst of them is shown.
+_MOST_COLUMNS = 3
+
+
+def exceeds(outcome: Outcome) -> bool:
+    """Whether the value has to exceed the tolerance (λ_min > 0) where others must stay below."""
+    return not math.isnan(outcome.value) and outcome.passed == (outcome.value > outcome.tolerance)
+
+
+def law_table(v: Validation) -> Table:
+    """One row a law, what fails first."""
+    by_law: dict[str, list[Outcome]] = {}
+    for outcome in v.outcomes:
+        if outcome.about == "algorithm":
+            by_law.setdefault(outcome.id, []).append(outcome)
+    laws = sorted(by_law.values(), key=lambda law: all(o.passed for o in law))
+    names = [model.arm.name for model in v.models]
+    wide = len(names) <= _MOST_COLUMNS
+    columns = [Column(name, number=True) for name in names] if wide else []
+    if not wide:
+        columns = [Column("worst", number=True), Column("on")]
+    return Table(
+        (Column(""), Column("law"), *columns, Column("must be", number=True), Column("unit")),
+        tuple(_row(law, wide) for law in laws),
+        note="Values: the worst over all states.",
+    )
+
+
+def _row(law: list[Outcome], wide: bool) -> Row:
+    holds = all(o.passed for o in law)
+    tightest = _tightest(law)
+    values = [residue(o.value) for o in law]
+    if not wide:
+        worst = max(law, key=_used)
+        values = [residue(worst.value), worst.subject]
+    limit = f"{'>' if exceeds(law[0]) else '≤'} {residue(tightest.tolerance)}"
+    cells = ("ok" if holds else "FAILS", law[0].statement, *values, limit, law[0].unit)
+    return Row(cells, bad=not holds)
+
+
+def _tightest(law: list[Outcome]) -> Outcome:
+    choose = max if exceeds(law[0]) else min
+    return choose(law, key=lambda o: o.tolerance)
+
+
+def _used(outcome: Outcome) -> tuple[bool, float]:
+    """What fails counts more than what holds; then by the value."""
+    if math.isnan(outcome.value):
+        return True, math.inf
+    return not outcome.passed, -outcome.value if exceeds(outcome) else outcome.value

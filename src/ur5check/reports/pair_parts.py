@@ -1,0 +1,137 @@
+"""What `diff` and `validate` both show of two arms: alignment, torques, owners."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ..arm.transforms import Array
+from ..comparison.attribution import Owner
+from ..comparison.difference import Difference
+from ..comparison.story import base_in_words
+from .document import Column, Row, Table
+from .wording import MISSING, figures, joined, link_label, posture, residue
+
+__all__ = ["alignment_lines", "owner_table", "torque_table"]
+
+_WORTH_A_ROW = 1e-3  # an owner of less than 0.1 % of the mean square difference gets no row
+
+
+def alignment_lines(d: Difference) -> tuple[str, ...]:
+    """How b was laid along a, in sentences."""
+    a, b, alignment = d.pair.a, d.pair.b, d.pair.alignment
+    reversed_joints, shifted = [], []
+    for joint, sign, offset in zip(a.joints, alignment.signs, alignment.offsets, strict=True):
+        if sign < 0:
+            reversed_joints.append(joint.name)
+        if offset:
+            sliding = joint.kind == "prismatic"
+            by = f"{1e3 * offset:+.4g} mm" if sliding else f"{math.degrees(offset):+.6g}°"
+            shifted.append(f"{joint.name} by {by}")
+    base = base_in_words(alignment.T_ab)
+    parts = [
+        f"{b.name} stands on the same base as {a.name}"
+        if base == "the same"
+        else f"the base of {b.name} is {base} (seen from {a.name})",
+        f"reversed: {joined(reversed_joints)}" if reversed_joints else "no joint reversed",
+        f"zeros shifted: {joined(shifted)}" if shifted else "no zero shifted",
+        f"all {a.n} axes are the same lines in space"
+        if alignment.exact
+        else "the axes are NOT the same lines in space",
+    ]
+    lines = [f"Alignment found: {'; '.join(parts)}."]
+    tools = "Tools" if base_in_words(alignment.tool) == "the same" else "Tools, their poses aside,"
+    position, angle = residue(d.tool.position), residue(d.tool.angle)
+    if alignment.exact:
+        lines.append(f"{tools} agree to {position} m and {angle} rad over all states.")
+    else:
+        position = figures(d.tool.position)
+        at = posture(d.states[d.tool.worst]["q"], a.joints)
+        lines.append(
+            f"Tools are up to {position} m and {angle} rad apart; furthest at q = "
+            f"({', '.join(at.split())})°."
+        )
+    lines += [f"Unknown: {sentence}." for sentence in alignment.unknown]
+    lines += [f"Note: {sentence}." for sentence in alignment.notes]
+    return tuple(lines)
+
+
+def torque_table(d: Difference) -> Table:
+    """The torque difference joint by joint, with the posture at which it is largest."""
+    torques, joints = d.torques, d.pair.a.joints
+    rows = [
+        Row(
+            (
+                joint.name,
+                figures(torques.scale[i]),
+                figures(torques.rms[i]),
+                figures(torques.maximum[i]),
+                _percent(torques.share_of_effort()[i]),
+                posture(d.states[int(torques.worst[i])]["q"], joints),
+            )
+        )
+        for i, joint in enumerate(joints)
+    ]
+    sliding = any(joint.kind == "prismatic" for joint in joints)
+    unit = "N m or N" if sliding else "N m"
+    return Table(
+        (
+            Column("joint"),
+            Column(f"RMS of {d.pair.a.name} [{unit}]", number=True),
+            Column(f"Δ RMS [{unit}]", number=True),
+            Column(f"Δ max [{unit}]", number=True),
+            Column("max of limit [%]", number=True),
+            Column("posture of the maximum [°]"),
+        ),
+        tuple(rows),
+        title=f"Torque difference: {d.pair.a.name} − {d.pair.b.name}",
+    )
+
+
+def owner_table(d: Difference) -> Table:
+    """Whose the difference is, the largest share first."""
+    share, rms = d.attribution.share(), d.attribution.rms()
+    order = np.argsort(-np.abs(share), kind="stable")
+    shown = [int(k) for k in order if abs(share[k]) >= _WORTH_A_ROW]
+    rows = [
+        Row(
+            (
+                _owner_label(d, d.attribution.owners[k]),
+                f"{100 * share[k]:.1f}",
+                figures(rms[k].max()),
+                _strongest(d, rms[k]),
+            )
+        )
+        for k in shown
+    ]
+    rest = len(share) - len(shown)
+    note = "Share: of the mean square difference; negative: works against the others."
+    if rest:
+        note += f" {rest} owners below 0.1 % have no row."
+    return Table(
+        (
+            Column("owner"),
+            Column("share [%]", number=True),
+            Column("RMS [N m]", number=True),
+            Column("most at joint"),
+        ),
+        tuple(rows),
+        title="Whose it is",
+        note=note,
+    )
+
+
+def _owner_label(d: Difference, owner: Owner) -> str:
+    if owner.link is None:
+        return owner.kind
+    link = d.parameters[owner.link - 1]
+    return f"{owner.kind} of {link_label(link.name_a, link.name_b)}"
+
+
+def _strongest(d: Difference, rms: Array) -> str:
+    return d.pair.a.joints[int(rms.argmax())].name
+
+
+def _percent(share: float) -> str:
+    return MISSING if math.isnan(share) else f"{100 * share:.2f}"

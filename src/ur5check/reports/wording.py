@@ -1,0 +1,58 @@
+"""Numbers and joint states as a reader wants to see them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from ..arm.serial_arm import Joint
+from ..arm.transforms import Array
+
+__all__ = ["MISSING", "coordinates", "figures", "joined", "link_label", "posture", "residue"]
+
+#: What stands in a table where there is no number.
+MISSING = "–"
+
+
+def figures(value: float | None) -> str:
+    """Four significant digits; two for what is all but nothing (4.5e-14)."""
+    if value is None or math.isnan(value):
+        return MISSING
+    if value == 0.0 or math.isinf(value):
+        return f"{value:.0f}".replace("-0", "0")
+    size = abs(value)
+    if size < 1e-6:
+        return f"{value:.1e}"
+    if size < 1e-3 or size >= 1e5:
+        return f"{value:.3e}"
+    # `#` keeps the zeros that were measured: 7.400, not 7.4.  Rounding up may leave a bare point.
+    return f"{value:#.4g}".removesuffix(".") if size < 9999.5 else f"{value:.0f}"
+
+
+def residue(value: float) -> str:
+    """Two significant digits, for what ought to be nothing."""
+    return MISSING if math.isnan(value) else f"{value:.1e}" if value else "0"
+
+
+def coordinates(vector: Array, unit: float = 1.0) -> str:
+    """`(x, y, z)`, each divided by `unit`."""
+    return f"({', '.join(f'{round(float(x) / unit, 9) + 0.0:.6g}' for x in vector)})"
+
+
+def posture(q: Sequence[float], joints: Sequence[Joint]) -> str:
+    """Joint positions to the degree; a sliding joint's to the millimetre."""
+    parts = []
+    for value, joint in zip(q, joints, strict=True):
+        sliding = joint.kind == "prismatic"
+        parts.append(f"{1e3 * value:.0f}mm" if sliding else str(round(math.degrees(value))))
+    return " ".join(part.rjust(4) for part in parts)
+
+
+def link_label(name_a: str, name_b: str) -> str:
+    """One name for a link that two sources may name differently."""
+    return name_a if name_a == name_b else f"{name_a} / {name_b}"
+
+
+def joined(parts: Sequence[str]) -> str:
+    """`a`, `a and b`, `a, b and c`."""
+    return " and ".join(part for part in (", ".join(parts[:-1]), parts[-1]) if part)

@@ -1,0 +1,43 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from examples import random_arm
+from ur5check.arm import Joint, SerialArm
+from ur5check.arm.states import random_states
+from ur5check.errors import UsageError
+
+
+def test_an_axis_is_made_a_unit_vector_and_a_unit_vector_is_left_alone():
+    np.testing.assert_allclose(Joint("j", [0, 3, 4]).axis, [0, 0.6, 0.8])
+    np.testing.assert_array_equal(Joint("j", [0, -1, 0]).axis, [0, -1, 0])
+
+
+def test_a_zero_axis_is_refused():
+    with pytest.raises(ValueError, match="axis must not be zero"):
+        Joint("j", [0, 0, 0])
+
+
+def test_an_arm_needs_a_joint_and_as_many_links():
+    with pytest.raises(ValueError, match="no joint"):
+        SerialArm("a", (), ())
+    with pytest.raises(ValueError, match="1 joints but 0 links"):
+        SerialArm("a", (Joint("j", [0, 0, 1]),), ())
+
+
+def test_parameters_are_ten_a_link():
+    assert random_arm(3, seed=0).parameters().shape == (30,)
+
+
+def test_states_come_from_their_seed():
+    one, again, other = (random_states(3, 5, seed) for seed in (1, 1, 2))
+    np.testing.assert_array_equal(one.q, again.q)
+    assert not np.array_equal(one.q, other.q)
+    assert np.abs(one.q).max() <= np.pi
+
+
+@pytest.mark.parametrize(("count", "seed"), [(0, 0), (-1, 0), (5, -1)])
+def test_no_states_and_no_seed_are_refused(count, seed):
+    with pytest.raises(UsageError):
+        random_states(3, count, seed)

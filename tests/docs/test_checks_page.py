@@ -1,0 +1,24 @@
+"""docs/checks.md says what the registry says, and each check has its place in the text."""
+
+from __future__ import annotations
+
+import runpy
+from pathlib import Path
+
+from ur5check.checks.laws import LAWS
+from ur5check.checks.numbers import BODIES, PAIRS
+
+DOCS = Path(__file__).parents[2] / "docs"
+
+
+def test_page_is_the_registrys() -> None:
+    generator = runpy.run_path(str(DOCS / "generate_checks.py"))
+    committed = (DOCS / "checks.md").read_text(encoding="utf-8")
+    assert committed == generator["page"](), "run: python docs/generate_checks.py"
+
+
+def test_every_check_is_explained() -> None:
+    template = (DOCS / "checks.in.md").read_text(encoding="utf-8")
+    explained = ("-referee", "-inverse")  # agreement needs no formula beyond its own
+    for check in (*LAWS, *BODIES, *PAIRS):
+        assert check.id.endswith(explained) or f"`{check.id}`" in template, check.id
