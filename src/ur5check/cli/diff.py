@@ -21,7 +21,9 @@ from .output import check_output, emit, format_of, rendered
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
-EXAMPLES = """\
+EXAMPLES = f"""\
+{MODELS}
+
 examples:
   ur5check diff paper appendix
   ur5check diff old.urdf new.urdf --tip-a tool0 --tip-b tool0 --format json -o diff.json
@@ -30,7 +32,7 @@ examples:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `diff` takes."""
-    parser.add_argument("a", metavar="A", help=f"a model.  {MODELS}")
+    parser.add_argument("a", metavar="A", help="a model")
     parser.add_argument("b", metavar="B", help="another, held against it")
     add_state_options(parser)
     add_model_options(parser, ("a", "b"))

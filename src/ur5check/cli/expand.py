@@ -65,7 +65,7 @@ def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:
         data = path.read_bytes()
     except OSError as error:
         raise UsageError(f"{name}: cannot be read: {error.strerror}; check the path") from None
-    return checked_xml(data, name)
+    return checked_xml(data, name).decode()
 
 
 def _not_a_xacro(name: str, kind: str) -> str:
@@ -76,4 +76,5 @@ def _not_a_xacro(name: str, kind: str) -> str:
         return (
             f"{name} is a DH table: there is no xacro in it to expand; see `ur5check show {name}`"
         )
-    return f"{name} is no xacro and no model's name; give a .xacro file ({did_you_mean(name, CATALOG)})"
+    known = did_you_mean(name, CATALOG)
+    return f"{name} is no xacro and no model's name; give a .xacro file ({known})"

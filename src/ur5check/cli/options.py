@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ..arm.serial_arm import SerialArm
 
 __all__ = [
+    "MODELS",
     "ModelOptions",
     "add_model_options",
     "add_output_options",

@@ -41,7 +41,7 @@ def rendered(
 ) -> str:
     """The result as text in the chosen format."""
     if form == "json":
-        from ..reports.json_report import json_text
+        from ..reports.json_values import json_text
 
         return json_text(report())
     if form == "markdown":
@@ -77,9 +77,15 @@ def check_output(output: str | None, inputs: Iterable[Path]) -> None:
 
 
 def emit(text: str, output: str | None) -> None:
-    """Write the result, whole.  Raises UsageError if a file cannot be written."""
+    """Write the result, whole.  Raises UsageError if it cannot be written."""
     if output is None:
-        sys.stdout.write(text)
+        try:
+            sys.stdout.write(text)
+            sys.stdout.flush()
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            raise UsageError(f"stdout cannot be written: {error.strerror}") from None
         return
     data = text.encode("utf-8", "backslashreplace")
     target = Path(output).resolve()  # a link stays a link

@@ -10,7 +10,9 @@ from .output import check_output, emit, format_of, rendered
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
-EXAMPLES = """\
+EXAMPLES = f"""\
+{MODELS}
+
 examples:
   ur5check show appendix --arg limited:=true
   ur5check show robot.urdf --base base_link --tip tool0 --format json
@@ -19,7 +21,7 @@ examples:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `show` takes."""
-    parser.add_argument("model", metavar="MODEL", help=MODELS)
+    parser.add_argument("model", metavar="MODEL", help="what to show")
     add_model_options(parser, ("",))
     add_output_options(parser)
 

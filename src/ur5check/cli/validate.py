@@ -21,7 +21,9 @@ from .output import check_output, emit, format_of, rendered
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
-EXAMPLES = """\
+EXAMPLES = f"""\
+{MODELS}
+
 examples:
   ur5check validate
   ur5check validate robot.urdf.xacro --package my_robot=. --arg prefix:=left_ -o report.md
@@ -30,9 +32,7 @@ examples:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `validate` takes."""
-    parser.add_argument(
-        "models", nargs="*", metavar="MODEL", help=f"(default: paper appendix)  {MODELS}"
-    )
+    parser.add_argument("models", nargs="*", metavar="MODEL", help="(default: paper appendix)")
     add_state_options(parser)
     add_model_options(parser, ("", "a", "b"))
     add_output_options(parser)

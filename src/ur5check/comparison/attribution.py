@@ -117,8 +117,8 @@ def _per_link(Y: Array, dpi: Array, pair: Pair, geometry: Side) -> list[Array]:
 def _inertial_differences(pair: Pair) -> Array:
     """π_a − π_b of each link, split among mass, centre and tensor, shape (n, 3, 10)."""
     differences = []
-    for la, lb, T in zip(pair.a.links, pair.b.links, pair.link_maps, strict=True):
-        a, b = la.inertia, lb.inertia.expressed_in(T)
+    for link, b in zip(pair.a.links, pair.inertias_b(), strict=True):
+        a = link.inertia
 
         def parameters(choice: tuple[bool, ...], a: Inertia = a, b: Inertia = b) -> Array:
             m, c, I_c = (a if is_a else b for is_a in choice)

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
+from ..arm.inertia import Inertia
 from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Transform
+from ..arm.transforms import Array, Transform
 from ..dynamics.kinematics import link_frames
 from .alignment import SAME_ANGLE, SAME_LENGTH, Alignment, align, arm_in_coordinates_of
 
@@ -38,16 +41,28 @@ class Pair:
     alignment: Alignment
     link_maps: tuple[Transform, ...]
 
+    def inertias_b(self) -> tuple[Inertia, ...]:
+        """B's inertias, each in arm a's link frame."""
+        return tuple(
+            link.inertia.expressed_in(T)
+            for link, T in zip(self.b.links, self.link_maps, strict=True)
+        )
+
+    def parameter_difference(self) -> Array:
+        """π_a − π_b, shape (10 n,), both in arm a's link frames."""
+        pi_b = np.concatenate([inertia.parameters() for inertia in self.inertias_b()])
+        return np.asarray(self.a.parameters() - pi_b)
+
     def arm(self, geometry: Side, inertias: Side, gravity: Side) -> SerialArm:
         """The arm with one side's geometry, inertias and gravity each, in a's coordinates."""
         arm = self.a if geometry == "a" else self.b
-        if geometry != inertias:
+        if geometry == "a" and inertias == "b":
+            arm = arm.with_inertias(self.inertias_b())
+        elif geometry == "b" and inertias == "a":
             arm = arm.with_inertias(
                 [
-                    link.inertia.expressed_in(T if inertias == "b" else T.inverse())
-                    for link, T in zip(
-                        (self.b if inertias == "b" else self.a).links, self.link_maps, strict=True
-                    )
+                    link.inertia.expressed_in(T.inverse())
+                    for link, T in zip(self.a.links, self.link_maps, strict=True)
                 ]
             )
         return arm.with_gravity((self.a if gravity == "a" else self.b).gravity)

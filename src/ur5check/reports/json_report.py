@@ -1,36 +1,28 @@
-"""Results as plain values for JSON.  Every field is documented in docs/json.md.
-
-Strict JSON has no nan and no infinity: they become null.
-"""
+"""Results as plain values for JSON.  Every field is documented in docs/json.md."""
 
 from __future__ import annotations
 
-import json
-import math
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Joint, SerialArm
+from ..arm.serial_arm import SerialArm
 from ..checks.check import Outcome
 from ..checks.story import tell as tell_validation
 from ..checks.validation import Validation
 from ..comparison.difference import Difference
 from ..comparison.story import tell as tell_difference
+from .json_values import Report, inertia_value, joint_value, model_value, strict
 from .law_table import exceeds
 from .provenance import Provenance, inputs_of
 
-__all__ = ["arm_json", "difference_json", "json_text", "validation_json"]
-
-Report = dict[str, Any]
+__all__ = ["arm_json", "difference_json", "validation_json"]
 
 
 def validation_json(v: Validation, *, command: str = "") -> Report:
     """`validate` as ur5check.validation/1."""
     arms = [model.arm for model in v.models]
-    return _plain(
+    return strict(
         {
             **_head("validation", arms, command, v.seed, v.samples),
             "verdict": {
@@ -41,7 +33,7 @@ def validation_json(v: Validation, *, command: str = "") -> Report:
             },
             "story": tell_validation(v),
             "models": [
-                {**_model(model.arm), "referee": model.referee, "route": model.route}
+                {**model_value(model.arm), "referee": model.referee, "route": model.route}
                 for model in v.models
             ],
             "checks": [_check(outcome) for outcome in v.outcomes],
@@ -54,34 +46,29 @@ def difference_json(d: Difference, *, command: str = "") -> Report:
     """`diff` as ur5check.difference/1."""
     arms = [d.pair.a, d.pair.given_b]
     head = _head("difference", arms, command, d.seed, len(d.states))
-    return _plain({**head, **_difference(d)})
+    return strict({**head, **_difference(d)})
 
 
 def arm_json(arm: SerialArm, *, command: str = "") -> Report:
     """`show` as ur5check.arm/1."""
-    return _plain(
+    return strict(
         {
             **_head("arm", [arm], command),
-            **_model(arm),
+            **model_value(arm),
             "gravity": arm.gravity,
             "base_transform": arm.base.matrix(),
-            "joints": [_joint(joint) for joint in arm.joints],
+            "joints": [joint_value(joint) for joint in arm.joints],
             "links": [
                 {
                     "name": link.name,
                     "far_end": link.far_end.matrix(),
                     "source_frame": link.source_frame.matrix(),
-                    "inertia": _inertia(link.inertia),
+                    "inertia": inertia_value(link.inertia),
                 }
                 for link in arm.links
             ],
         }
     )
-
-
-def json_text(report: Report) -> str:
-    """The report as strict JSON."""
-    return json.dumps(report, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _head(
@@ -99,17 +86,6 @@ def _head(
         "inputs": [{"name": name, "sha256": digest} for name, digest in made.inputs],
     }
     return head if samples is None else {**head, "seed": seed, "samples": samples}
-
-
-def _model(arm: SerialArm) -> Report:
-    source = arm.source
-    return {
-        "name": arm.name,
-        "kind": source.kind,
-        "base": source.base,
-        "tip": source.tip,
-        "notes": source.notes,
-    }
 
 
 def _check(o: Outcome) -> Report:
@@ -135,8 +111,8 @@ def _difference(d: Difference) -> Report:
     return {
         "agrees": d.agrees,
         "story": tell_difference(d),
-        "a": _model(d.pair.a),
-        "b": _model(d.pair.given_b),
+        "a": model_value(d.pair.a),
+        "b": model_value(d.pair.given_b),
         "alignment": {
             "exact": alignment.exact,
             "T_ab": alignment.T_ab.matrix(),
@@ -158,8 +134,8 @@ def _difference(d: Difference) -> Report:
                 "link": link.link,
                 "name_a": link.name_a,
                 "name_b": link.name_b,
-                "a": _inertia(link.a),
-                "b": _inertia(link.b),
+                "a": inertia_value(link.a),
+                "b": inertia_value(link.b),
                 "reach_a": link.reach_a,
                 "reach_b": link.reach_b,
                 "centre_distance": link.centre_distance(),
@@ -197,36 +173,3 @@ def _account(d: Difference) -> Report:
         ],
         "remainder_max": np.abs(d.attribution.remainder).max(),
     }
-
-
-def _joint(joint: Joint) -> Report:
-    limits = joint.limits
-    return {
-        "name": joint.name,
-        "kind": joint.kind,
-        "axis": joint.axis,
-        "limits": {
-            "lower": limits.lower,
-            "upper": limits.upper,
-            "velocity": limits.velocity,
-            "effort": limits.effort,
-        },
-    }
-
-
-def _inertia(inertia: Inertia) -> Report:
-    return {"mass": inertia.mass, "com": inertia.com, "tensor": inertia.tensor}
-
-
-def _plain(value: Any) -> Any:
-    """Arrays and tuples as lists, NumPy's numbers as Python's, what is no number as None."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if isinstance(value, np.ndarray | np.generic):
-        return _plain(value.tolist())
-    if isinstance(value, float):
-        # Adding 0.0 turns −0.0, which readers stumble over, into 0.0.
-        return value + 0.0 if math.isfinite(value) else None
-    return value

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import io
 import textwrap
+import unicodedata
 
 from rich import box
 from rich.cells import cell_len
@@ -14,7 +15,7 @@ from rich.console import Console
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from .document import Column, Document, Row, Section, Table
+from .document import Column, Document, Section, Table
 from .provenance import Provenance
 
 __all__ = ["render_text"]
@@ -39,7 +40,7 @@ def render_text(document: Document, *, width: int = 100, colour: bool = False) -
         legacy_windows=False,
     )
     with console.capture() as capture:
-        console.print(Text(document.title, "bold"))
+        console.print(Text(_clean(document.title), "bold"))
         if document.verdict is not None:
             style = "bold green" if document.verdict.good else "bold red"
             text = f"{document.verdict.word}: {document.verdict.text}"
@@ -59,7 +60,7 @@ def render_text(document: Document, *, width: int = 100, colour: bool = False) -
 def _say(console: Console, text: str, bullet: str = "", style: str = "") -> None:
     """A paragraph, with its further lines under its first word."""
     wrapped = textwrap.fill(
-        text,
+        _clean(text),
         console.width,
         initial_indent=bullet,
         subsequent_indent=" " * len(bullet),
@@ -79,8 +80,10 @@ def _section(console: Console, section: Section) -> None:
         console.print()
         if table.title:
             _say(console, table.title, style="bold")
-        shown = _table(table)
-        console.print(shown, width=max(console.width, _least_width(shown)), crop=False)
+        shown, given = _table(table), console.width
+        console.width = max(given, _least_width(shown))  # rather a long line than half a number
+        console.print(shown)
+        console.width = given
         if table.note:
             _say(console, table.note, style="dim")
 
@@ -91,26 +94,28 @@ def _table(table: Table) -> RichTable:
     )
     columns = []
     for i, column in enumerate(table.columns):
-        cells = [row.cells[i] for row in table.rows]
-        columns.append(_on_the_point(cells) if column.number else cells)
-        _add_column(shown, column, columns[-1])
+        cells = [_clean(row.cells[i]) for row in table.rows]
+        columns.append(_add_column(shown, column, cells))
     for k, row in enumerate(table.rows):
-        shown.add_row(*(Text(cells[k], _style(row)) for cells in columns))
+        shown.add_row(*(Text(cells[k], "bold red" if row.bad else "") for cells in columns))
     return shown
 
 
-def _add_column(shown: RichTable, column: Column, cells: list[str]) -> None:
-    widest = max(map(cell_len, cells), default=0)
+def _add_column(shown: RichTable, column: Column, cells: list[str]) -> list[str]:
+    """The column's cells as they are to be set."""
     if not column.number:
-        shown.add_column(
-            Text(column.title), overflow="fold", min_width=min(widest, _NARROWEST_TEXT)
-        )
-        return
-    words, bracket, unit = column.title.partition(" [")
-    header = textwrap.fill(words, max(widest, _NARROWEST_HEADER))
+        widest = min(max(map(cell_len, cells), default=0), _NARROWEST_TEXT)
+        shown.add_column(Text(_clean(column.title)), overflow="fold", min_width=widest)
+        return cells
+    cells = _on_the_point(cells)
+    words, bracket, unit = _clean(column.title).partition(" [")
+    lines = textwrap.wrap(words, max(_NARROWEST_HEADER, *map(cell_len, cells)))
     if bracket:
-        header += f"\n[{unit}"
-    shown.add_column(Text(header, justify="right"), justify="right", no_wrap=True)
+        lines.append(f"[{unit}")
+    # rich takes the blanks from the end of what it sets to the right: everything is padded here.
+    width = max(map(cell_len, [*lines, *cells]))
+    shown.add_column(Text("\n".join(line.rjust(width) for line in lines)), no_wrap=True)
+    return [cell.rjust(width) for cell in cells]
 
 
 def _least_width(shown: RichTable) -> int:
@@ -124,14 +129,15 @@ def _least_width(shown: RichTable) -> int:
 
 
 def _on_the_point(cells: list[str]) -> list[str]:
-    """Numbers padded so that their decimal points stand under each other."""
+    """Numbers padded behind, so that set to the right their points stand under each other."""
     tails = [len(cell) - cell.index(".") if "." in cell else 0 for cell in cells]
-    longest = max(tails, default=0)
-    return [cell + " " * (longest - tail) for cell, tail in zip(cells, tails, strict=True)]
+    return [cell + " " * (max(tails) - tail) for cell, tail in zip(cells, tails, strict=True)]
 
 
-def _style(row: Row) -> str:
-    return "bold red" if row.bad else ""
+def _clean(text: str) -> str:
+    """A name out of a file may hold what would steer a terminal."""
+    steering = ("Cc", "Cf", "Cs")
+    return "".join("\ufffd" if unicodedata.category(c) in steering else c for c in text)
 
 
 def _provenance(console: Console, provenance: Provenance) -> None:

@@ -75,17 +75,22 @@ def _failures(failures: list[Outcome]) -> Section:
         Column("must be", number=True),
         Column("unit"),
     )
-    states = [f"{o.id} is worst on {o.subject} at {_state(o)}." for o in failures if o.worst_state]
-    return Section("What fails", tuple(states), (Table(columns, tuple(rows)),))
+    tables = [Table(columns, tuple(rows))]
+    states = [row for o in failures if o.worst_state for row in _state(o)]
+    if states:
+        heads = (Column("check"), Column("on"), Column("state"), Column("joint by joint"))
+        tables.append(Table(heads, tuple(states), title="Where it is worst"))
+    return Section("What fails", tables=tuple(tables))
 
 
-def _state(outcome: Outcome) -> str:
-    state = outcome.worst_state or {}
-    symbols = {"q": ("q", "rad"), "qd": ("q̇", "rad/s"), "qdd": ("q̈", "rad/s²")}
-    return ", ".join(
-        f"{symbol} = ({', '.join(f'{x:.4g}' for x in state[key])}) {unit}"
-        for key, (symbol, unit) in symbols.items()
-    )
+def _state(outcome: Outcome) -> list[Row]:
+    rows = []
+    check, model = outcome.id, outcome.subject
+    for key, symbol in (("q", "q [rad]"), ("qd", "q̇ [rad/s]"), ("qdd", "q̈ [rad/s²]")):
+        values = (outcome.worst_state or {}).get(key, [])
+        rows.append(Row((check, model, symbol, " ".join(f"{x:8.4f}" for x in values))))
+        check, model = "", ""
+    return rows
 
 
 def _algorithm(v: Validation) -> Section:

@@ -30,8 +30,8 @@ def figures(value: float | None) -> str:
 
 
 def residue(value: float) -> str:
-    """Two significant digits, for what ought to be nothing."""
-    return MISSING if math.isnan(value) else f"{value:.1e}" if value else "0"
+    """Two significant digits for what is next to nothing, as it ought to be; else all four."""
+    return f"{value:.1e}" if 0.0 < abs(value) < 1e-3 else figures(value)
 
 
 def coordinates(vector: Array, unit: float = 1.0) -> str:

@@ -1,0 +1,33 @@
+"""Results to show, computed once."""
+
+from __future__ import annotations
+
+import pytest
+
+import ur5check
+from ur5check.arm.states import random_states
+from ur5check.checks.validation import Validation, validate_arm
+from ur5check.comparison.difference import Difference
+from ur5check.engines.pinocchio import PinocchioEngine
+
+SAMPLES = 200
+
+
+@pytest.fixture(scope="session")
+def validation() -> Validation:
+    return ur5check.validate("paper", "appendix", samples=SAMPLES)
+
+
+@pytest.fixture(scope="session")
+def failing() -> Validation:
+    """A referee that holds another arm's bodies: some laws must fail, others cannot."""
+    arm = ur5check.load("paper")
+    heavier = arm.with_inertias([link.inertia for link in reversed(arm.links)])
+    states = random_states(arm.n, SAMPLES, 0)
+    model = validate_arm(arm, PinocchioEngine(heavier), states)
+    return Validation((model,), (), SAMPLES, 0)
+
+
+@pytest.fixture(scope="session", params=[("paper-listing", "paper"), ("erd-ur5", "appendix")])
+def difference(request: pytest.FixtureRequest) -> Difference:
+    return ur5check.diff(*request.param, samples=SAMPLES)

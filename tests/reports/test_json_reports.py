@@ -1,0 +1,103 @@
+"""JSON reports: strict, as the schema says, and every field on the docs page."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+
+import ur5check
+from ur5check.checks.validation import Validation
+from ur5check.comparison.difference import Difference
+from ur5check.reports.json_report import arm_json, difference_json, validation_json
+from ur5check.reports.json_values import json_text
+
+DOCS = Path(__file__).parents[2] / "docs"
+SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
+
+
+def read_back(report: dict[str, Any]) -> dict[str, Any]:
+    """Through text and the schema, refusing what strict JSON does not have."""
+
+    def refuse(name: str) -> None:
+        raise AssertionError(f"{name} is not JSON")
+
+    value = json.loads(json_text(report), parse_constant=refuse)
+    jsonschema.Draft202012Validator(SCHEMA).validate(value)
+    return dict(value)
+
+
+def test_the_schema_is_one() -> None:
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+
+
+def test_the_schema_refuses_a_wrong_report(validation: Validation) -> None:
+    report = validation_json(validation)
+    report["checks"][0]["value"] = "small"
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.Draft202012Validator(SCHEMA).validate(report)
+
+
+def test_validation(validation: Validation) -> None:
+    report = read_back(validation_json(validation, command="ur5check validate"))
+    assert report["schema"] == "ur5check.validation/1"
+    assert report["verdict"] == dict.fromkeys(report["verdict"], True)
+    assert len(report["checks"]) == len(validation.outcomes)
+    assert report["command"] == "ur5check validate"
+    assert {check["id"] for check in report["checks"] if check["bound"] == "above"} == {
+        "mass-positive"
+    }
+
+
+def test_failure(failing: Validation) -> None:
+    report = read_back(validation_json(failing))
+    assert not report["verdict"]["passed"]
+    failed = [check for check in report["checks"] if check["status"] == "fail"]
+    assert all(check["value"] > check["tolerance"] for check in failed)
+    assert all(len(check["worst_state"]["q"]) == 6 for check in failed)
+
+
+def test_difference_keeps_every_digit(difference: Difference) -> None:
+    report = read_back(difference_json(difference))
+    assert [row["max"] for row in report["torques"]] == difference.torques.maximum.tolist()
+    shares = [owner["share"] for owner in report["account"]["owners"]]
+    assert sum(shares) == pytest.approx(1.0)
+    limits = [row["effort_limit"] for row in report["torques"]]
+    assert limits == [None if math.isnan(x) else x for x in difference.torques.effort]
+
+
+def test_the_worst_state_makes_the_maximum_again(difference: Difference) -> None:
+    report = read_back(difference_json(difference))
+    for i, row in enumerate(report["torques"]):
+        q, qd, qdd = (np.array(row["worst_state"][key]) for key in ("q", "qd", "qdd"))
+        tau_a, tau_b = (
+            ur5check.rnea(arm, q, qd, qdd) for arm in (difference.pair.a, difference.pair.b)
+        )
+        assert abs(tau_a - tau_b)[i] == pytest.approx(row["max"], rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["paper", "appendix"])
+def test_arm(name: str) -> None:
+    report = read_back(arm_json(ur5check.load(name)))
+    assert report["name"] == name
+    assert len(report["joints"]) == len(report["links"]) == 6
+
+
+def test_every_field_is_documented() -> None:
+    page = (DOCS / "json.md").read_text(encoding="utf-8")
+
+    def names(node: Any) -> set[str]:
+        if isinstance(node, list):
+            return set().union(*map(names, node)) if node else set()
+        if not isinstance(node, dict):
+            return set()
+        own = set(node["properties"]) if isinstance(node.get("properties"), dict) else set()
+        return own | names(list(node.values()))
+
+    missing = [n for n in names(SCHEMA) if f"`{n}" not in page and f".{n}`" not in page]
+    assert missing == []
