@@ -64,7 +64,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def measure(states: int, repeats: int, starts: int) -> dict[str, Any]:
     """Everything that is measured, as plain values."""
-    rows = [*dynamics(states, repeats), *validation(max(1, starts // 2)), *start_up(starts)]
+    rows = [
+        *dynamics(states, repeats),
+        *validation(states, max(1, starts // 2)),
+        *start_up(starts),
+    ]
     return {
         "schema": SCHEMA,
         "machine": machine(),
@@ -129,12 +133,11 @@ def dynamics(count: int, repeats: int) -> list[Row]:
     return rows
 
 
-def validation(repeats: int) -> list[Row]:
+def validation(states: int, repeats: int) -> list[Row]:
     """`validate` as a user runs it, against a process that only imports what it needs."""
     imports = "import numpy, pinocchio, yourdfpy, lxml.etree, rich.console"
-    times = interleaved(
-        [process(sys.executable, "-c", imports), process(*command("validate"))], repeats
-    )
+    whole = command("validate", "--samples", str(states))
+    times = interleaved([process(sys.executable, "-c", imports), process(*whole)], repeats)
     return compared("ur5check validate", ["import of its dependencies", "ur5check validate"], times)
 
 

@@ -21,11 +21,13 @@ MAY_IMPORT = {
     "sources": {"arm", "errors"},
     "dynamics": {"arm", "errors"},
     "engines": {"arm", "dynamics", "errors", "version"},
-    "comparison": {"arm", "dynamics", "sources", "errors"},
+    "comparison": {"arm", "dynamics", "sources", "engines", "errors"},
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
+    "export": {"arm", "errors", "version"},
     "reports": {"arm", "sources", "comparison", "checks", "errors", "version"},
     "cli": {
-        "arm", "sources", "engines", "comparison", "checks", "reports", "errors", "version",
+        "arm", "sources", "engines", "comparison", "checks", "export", "reports", "errors",
+        "version",
     },
     "strategies": {"arm"},
 }  # fmt: skip

@@ -4,7 +4,7 @@
     arm = ur5check.load("paper")
     tau = ur5check.rnea(arm, q, qd, qdd, gravity=(0, 0, -9.81))
 
-Names are found when they are first used, so that `import ur5check` costs nothing and loads no engine.
+Names are found when they are first used: `import ur5check` costs nothing and loads no engine.
 """
 
 from __future__ import annotations

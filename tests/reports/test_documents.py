@@ -112,3 +112,16 @@ def test_show_speaks_in_the_files_own_frames() -> None:
     text = render_text(arm_document(ur5check.load("appendix")))
     assert "(0, 0, 0.28)" in text  # upper_arm_link's <inertial><origin xyz>
     assert "(0, -119.7, 425)" in text  # elbow_joint's <origin xyz>
+
+
+def test_reversed_and_shifted_joints_are_named() -> None:
+    arm = ur5check.load("appendix")
+    joints, links = list(arm.joints), list(arm.links)
+    joints[2] = replace(joints[2], axis=-joints[2].axis)
+    links[1] = replace(links[1], far_end=joints[1].motion(0.25) @ links[1].far_end)
+    other = replace(arm, name="other", joints=tuple(joints), links=tuple(links))
+    document = difference_document(compare(arm, other, random_states(6, 50, 0), 0))
+    assert document.verdict is not None
+    assert document.verdict.word == "AGREE"
+    said = document.sections[0].lines[0]
+    assert "reversed: elbow_joint; zeros shifted: shoulder_lift_joint by -14.3239°;" in said

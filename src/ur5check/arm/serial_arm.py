@@ -79,12 +79,14 @@ class Link:
     source_frame : T from the frame in which the source wrote this link's inertia to frame i; the
         identity for a DH table, P_i⁻¹ for a URDF.  Only reports use it: they speak to the reader in
         the numbers of the reader's own file.
+    welded : bodies fixed to the link that `inertia` contains, (name, inertia in frame i)
     """
 
     name: str
     far_end: Transform
     inertia: Inertia
     source_frame: Transform = field(default_factory=Transform.identity)
+    welded: tuple[tuple[str, Inertia], ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

@@ -81,6 +81,7 @@ class Outcome:
     """What came of a check on one subject.
 
     value : the worst one;  tolerance : the limit it was held against;  both in `unit`
+    positive : whether the value must exceed the limit, where otherwise it must not
     samples : how many values were measured
     worst_state : the joint state of the worst value, None if the check is not about states
     """
@@ -96,6 +97,7 @@ class Outcome:
     unit: str
     samples: int
     worst_state: dict[str, list[float]] | None
+    positive: bool = False
     details: tuple[str, ...] = ()
 
     @property
@@ -125,5 +127,6 @@ def run(check: Check[Subject], subject: Subject, *, name: str, n: int, states: S
         unit=check.unit,
         samples=len(values),
         worst_state=states[worst] if measured.per_state else None,
+        positive=check.positive,
         details=measured.details,
     )

@@ -47,6 +47,6 @@ def _bodies(validation: Validation) -> str:
 def _first(outcomes: list[Outcome]) -> str:
     worst = outcomes[0]
     return (
-        f"first {worst.id} on {worst.subject} ({worst.value:.2g} {worst.unit}, "
+        f"first {worst.id} on {worst.subject} ({worst.value:.3g} {worst.unit}, "
         f"allowed {worst.tolerance:.1g})"
     )

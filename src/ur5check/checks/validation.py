@@ -109,7 +109,8 @@ def validate(
     say = progress or (lambda line: None)
     arms = []
     for model in models or ("paper", "appendix"):
-        say(f"reading {getattr(model, 'name', model)}")
+        if not isinstance(model, SerialArm):
+            say(f"reading {getattr(model, 'name', model)}")
         arms.append(under_gravity(load(model), gravity))
     referees = [PinocchioEngine(arm) for arm in arms]
     validated = []

@@ -28,7 +28,14 @@ from ..errors import UsageError
 from .axes import across, joint_starts, signed_angle, smallest_turn, tool_pose
 from .walk import NEAR_ANGLE, NEAR_LENGTH, Walk, as_written, met_at_the_tool, walks
 
-__all__ = ["SAME_ANGLE", "SAME_LENGTH", "Alignment", "align", "arm_in_coordinates_of"]
+__all__ = [
+    "SAME_ANGLE",
+    "SAME_LENGTH",
+    "Alignment",
+    "align",
+    "align_as_written",
+    "arm_in_coordinates_of",
+]
 
 #: Two axes are one line if they are closer than this.  No data sheet, table or URDF that people
 #: write by hand carries more digits than the micrometre and the microradian.
@@ -77,11 +84,19 @@ def align(a: SerialArm, b: SerialArm) -> Alignment:
     exact = _best(a, b, SAME_ANGLE, SAME_LENGTH)
     if exact is not None:
         return exact
-    written = _finish(a, b, next(as_written(a, b)), exact=False)
+    written = align_as_written(a, b)
     near = _best(a, b, NEAR_ANGLE, NEAR_LENGTH)
     if near is None or _changes(near) == 0:
         return written
     return replace(written, notes=(_near_miss(near, a),))
+
+
+def align_as_written(a: SerialArm, b: SerialArm) -> Alignment:
+    """Arm b laid on a with its joint angles as they stand; `exact` if the axes coincide."""
+    _refuse_incomparable(a, b)
+    written = _finish(a, b, next(as_written(a, b)), exact=False)
+    fits = written.axis_angle.max() <= SAME_ANGLE and written.axis_distance.max() <= SAME_LENGTH
+    return replace(written, exact=bool(fits))
 
 
 def arm_in_coordinates_of(a: SerialArm, b: SerialArm, alignment: Alignment) -> SerialArm:

@@ -27,11 +27,21 @@ from ..dynamics.regressor import torque_regressor
 from .pair import Pair, Side
 from .shares import shares, weight
 
-__all__ = ["Attribution", "Owner", "attribute"]
+__all__ = ["PARAMETER_OWNERS", "Attribution", "Owner", "attribute"]
 
-OwnerKind = Literal["geometry", "gravity", "mass", "centre of mass", "tensor"]
+OwnerKind = Literal[
+    "geometry", "gravity", "mass", "centre of mass", "tensor",
+    "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
+]  # fmt: skip
+#: `arm.PARAMETERS` as owners: what `attribution_detail.by_parameter` splits among.
+PARAMETER_OWNERS: tuple[OwnerKind, ...] = (
+    "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
+)  # fmt: skip
 #: Two torques, each rounded some 32 times a joint by ε of the largest.
 _ROUNDING = 64 * float(np.finfo(np.float64).eps)
+
+#: Owners whose parts add up to more than this many times the difference work against each other.
+_CANCELS = 3.0
 
 _INERTIAL: tuple[OwnerKind, ...] = ("mass", "centre of mass", "tensor")
 
@@ -77,6 +87,27 @@ class Attribution:
             return np.zeros(len(self.owners))
         power = float((self.delta**2).sum())
         return np.asarray((self.torque * self.delta).sum(axis=(1, 2)) / power)
+
+    def weight(self) -> Array:
+        """Size of each owner's part as a share of all parts' sizes, shape (K,); they sum to 1.
+
+        RMS_k / Σ RMS_j over states and joints, in [0, 1] whoever cancels whom: where two owners of
+        10 N m leave a difference of 1 N m, shares say 500 % and −400 %, weights say half each.  All
+        zero where there is no difference but rounding in any part.
+        """
+        if float(np.abs(self.torque).max()) <= self.rounding:
+            return np.zeros(len(self.owners))
+        sizes = np.sqrt((self.torque**2).mean(axis=(1, 2)))
+        return np.asarray(sizes / sizes.sum())
+
+    @property
+    def cancels(self) -> bool:
+        """Whether the parts' RMS add up to more than _CANCELS times the RMS of Δτ: then rank owners
+        by `weight`, since `share` ranks what is left after they cancelled."""
+        if float(np.abs(self.torque).max()) <= self.rounding:
+            return False
+        sizes = np.sqrt((self.torque**2).mean(axis=(1, 2)))
+        return bool(sizes.sum() > _CANCELS * np.sqrt((self.delta**2).mean()))
 
 
 def attribute(pair: Pair, states: States) -> Attribution:

@@ -11,9 +11,16 @@ from ..arm.inertia import Inertia
 from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array, Transform
 from ..dynamics.kinematics import link_frames
-from .alignment import SAME_ANGLE, SAME_LENGTH, Alignment, align, arm_in_coordinates_of
+from .alignment import (
+    SAME_ANGLE,
+    SAME_LENGTH,
+    Alignment,
+    align,
+    align_as_written,
+    arm_in_coordinates_of,
+)
 
-__all__ = ["Pair", "Side", "pair_up"]
+__all__ = ["Pair", "Side", "pair_as_written", "pair_up"]
 
 Side = Literal["a", "b"]
 
@@ -73,7 +80,15 @@ def pair_up(a: SerialArm, b: SerialArm) -> Pair:
 
     Raises UsageError if the arms have different numbers or kinds of joints.
     """
-    alignment = align(a, b)
+    return _paired(a, b, align(a, b))
+
+
+def pair_as_written(a: SerialArm, b: SerialArm) -> Pair:
+    """The same with b's joint angles as they stand, whether or not the axes then coincide."""
+    return _paired(a, b, align_as_written(a, b))
+
+
+def _paired(a: SerialArm, b: SerialArm, alignment: Alignment) -> Pair:
     moved = arm_in_coordinates_of(a, b, alignment)
     return Pair(a, moved, b, alignment, _link_maps(a, moved, alignment.exact))
 

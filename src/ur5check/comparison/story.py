@@ -9,7 +9,7 @@ from .alignment import SAME_ANGLE, SAME_LENGTH
 from .attribution import Owner
 from .difference import Difference
 
-__all__ = ["base_in_words", "owner_in_words", "tell"]
+__all__ = ["base_in_words", "listed", "owner_in_words", "tell"]
 
 _WORTH_A_WORD = 0.02  # an owner of less than 2 % of the mean square difference is left to the table
 _STANDS_OUT = 3.0  # principal moments further apart than this are named
@@ -85,11 +85,11 @@ def _unequal_reach(d: Difference) -> str:
     parts = []
     if opposite:
         parts.append(
-            f"link{'s' if len(opposite) > 1 else ''} {_listed(opposite)} "
+            f"link{'s' if len(opposite) > 1 else ''} {listed(opposite)} "
             f"reach{'' if len(opposite) > 1 else 'es'} the opposite way, as if a sign were lost"
         )
     if other:
-        parts.append(f"the reach of link{'s' if len(other) > 1 else ''} {_listed(other)} differs")
+        parts.append(f"the reach of link{'s' if len(other) > 1 else ''} {listed(other)} differs")
     tilt = float(d.pair.alignment.axis_angle.max())
     if tilt > SAME_ANGLE:
         parts.append(f"axes tilt by up to {tilt:.2g} rad")
@@ -152,5 +152,6 @@ def _axis_in_words(T: Transform) -> str:
     return f"({', '.join(f'{x:.3g}' for x in u)})"
 
 
-def _listed(items: list[str]) -> str:
+def listed(items: list[str]) -> str:
+    """Items as "one, two and three"."""
     return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"

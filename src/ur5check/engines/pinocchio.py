@@ -71,6 +71,30 @@ class PinocchioEngine:
         """Torques from `pin.rnea`."""
         return self._torques(lambda x, v, a: pin.rnea(self.model, self.data, x, v, a), q, qd, qdd)
 
+    def inverse_dynamics_gradient(
+        self, q: Array, qd: Array, qdd: Array
+    ) -> tuple[Array, Array, Array]:
+        """∂τ/∂q, ∂τ/∂q̇ and ∂τ/∂q̈ = M from `pin.computeRNEADerivatives`.
+
+        q, qd, qdd : shape (..., n) [rad], [rad/s], [rad/s²].  Each result has shape (..., n, n):
+        row i is the torque of joint i [N m], column j what it is differentiated by.
+        """
+
+        n = self.arm.n
+        slopes = self._each(lambda *state: self.torque_and_slope(*state)[1], (n, 3 * n), q, qd, qdd)
+        return slopes[..., :n], slopes[..., n : 2 * n], slopes[..., 2 * n :]
+
+    def torque_and_slope(self, q: Array, qd: Array, qdd: Array) -> tuple[Array, Array]:
+        """τ of one state, shape (n,), and ∂τ/∂(q, q̇, q̈), shape (n, 3 n), in one pass.
+
+        q, qd, qdd : shape (n,).  What a climb asks thousands of times, without the loop's cost.
+        """
+        rates = (self._velocity(qd), self._velocity(qdd))
+        three = pin.computeRNEADerivatives(self.model, self.data, self._configuration(q), *rates)
+        slopes = [np.reshape(part, (self.model.nv, -1)) for part in three]
+        slope = np.hstack([part[self._rates][:, self._rates] for part in slopes])
+        return np.asarray(self.data.tau)[self._rates], slope
+
     def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
         """Accelerations from `pin.aba`."""
         return self._torques(lambda x, v, t: pin.aba(self.model, self.data, x, v, t), q, qd, tau)
@@ -201,8 +225,8 @@ def _build(arm: SerialArm) -> Any:
             else pin.JointModelRevoluteUnaligned
         )
         parent = model.addJoint(parent, kind(joint.axis), _se3(placement), joint.name)
-        # Through the ten parameters: `pin.Inertia(m, c, I)` refuses a tensor that no body could have,
-        # and the laws hold for those too.
+        # Through the ten parameters: `pin.Inertia(m, c, I)` refuses a tensor that no body could
+        # have, and the laws hold for those too.
         inertia = pin.Inertia.FromDynamicParameters(link.inertia.parameters())
         model.appendBodyToJoint(parent, inertia, _se3(link.far_end))
         placement = link.far_end

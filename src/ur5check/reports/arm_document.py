@@ -16,13 +16,21 @@ from .wording import MISSING, coordinates, figures
 
 __all__ = ["arm_document"]
 
+_KINDS = {
+    "dh": "a DH table",
+    "urdf": "a URDF",
+    "xacro": "a xacro",
+    "pinocchio": "a pin.Model",
+    "value": "Python",
+}
+
 
 def arm_document(arm: SerialArm, *, command: str = "") -> Document:
     """The report of `ur5check show`."""
     source = arm.source
     lines = (
         f"{arm.n} joint{'s' if arm.n > 1 else ''} from {source.base} to {source.tip}, read from "
-        f"{source.kind}",
+        f"{_KINDS.get(source.kind, source.kind)}",
         f"gravity {coordinates(arm.gravity)} m/s² in the frame of {source.base}",
         *source.notes,
     )

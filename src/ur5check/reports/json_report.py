@@ -13,7 +13,6 @@ from ..checks.validation import Validation
 from ..comparison.difference import Difference
 from ..comparison.story import tell as tell_difference
 from .json_values import Report, inertia_value, joint_value, model_value, strict
-from .law_table import exceeds
 from .provenance import Provenance, inputs_of
 
 __all__ = ["arm_json", "difference_json", "validation_json"]
@@ -98,7 +97,7 @@ def _check(o: Outcome) -> Report:
         "status": o.status,
         "value": o.value,
         "tolerance": o.tolerance,
-        "bound": "above" if exceeds(o) else "at most",
+        "bound": "above" if o.positive else "at most",
         "unit": o.unit,
         "samples": o.samples,
         "worst_state": o.worst_state,

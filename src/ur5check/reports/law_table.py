@@ -9,15 +9,10 @@ from ..checks.validation import Validation
 from .document import Column, Row, Table
 from .wording import residue
 
-__all__ = ["exceeds", "law_table"]
+__all__ = ["law_table"]
 
 # With more models than this, a column each would not fit: the worst of them is shown.
 _MOST_COLUMNS = 3
-
-
-def exceeds(outcome: Outcome) -> bool:
-    """Whether the value has to exceed the tolerance (λ_min > 0) where others must stay below."""
-    return not math.isnan(outcome.value) and outcome.passed == (outcome.value > outcome.tolerance)
 
 
 def law_table(v: Validation) -> Table:
@@ -46,13 +41,13 @@ def _row(law: list[Outcome], wide: bool) -> Row:
     if not wide:
         worst = max(law, key=_used)
         values = [residue(worst.value), worst.subject]
-    limit = f"{'>' if exceeds(law[0]) else '≤'} {residue(tightest.tolerance)}"
+    limit = f"{'>' if law[0].positive else '≤'} {residue(tightest.tolerance)}"
     cells = ("ok" if holds else "FAILS", law[0].statement, *values, limit, law[0].unit)
     return Row(cells, bad=not holds)
 
 
 def _tightest(law: list[Outcome]) -> Outcome:
-    choose = max if exceeds(law[0]) else min
+    choose = max if law[0].positive else min
     return choose(law, key=lambda o: o.tolerance)
 
 
@@ -60,4 +55,4 @@ def _used(outcome: Outcome) -> tuple[bool, float]:
     """What fails counts more than what holds; then by the value."""
     if math.isnan(outcome.value):
         return True, math.inf
-    return not outcome.passed, -outcome.value if exceeds(outcome) else outcome.value
+    return not outcome.passed, -outcome.value if outcome.positive else outcome.value

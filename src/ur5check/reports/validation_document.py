@@ -9,7 +9,7 @@ from ..checks.check import Outcome
 from ..checks.story import tell
 from ..checks.validation import ModelValidation, PairValidation, Validation
 from .document import Column, Document, Row, Section, Table, Verdict
-from .law_table import exceeds, law_table
+from .law_table import law_table
 from .pair_parts import alignment_lines, owner_table, torque_table
 from .provenance import Provenance, inputs_of
 from .wording import coordinates, figures, residue
@@ -61,7 +61,7 @@ def _failures(failures: list[Outcome]) -> Section:
                 o.subject,
                 f"{o.statement} ({o.id})",
                 residue(o.value),
-                f"{'>' if exceeds(o) else '≤'} {residue(o.tolerance)}",
+                f"{'>' if o.positive else '≤'} {residue(o.tolerance)}",
                 o.unit,
             ),
             bad=True,
@@ -86,7 +86,7 @@ def _failures(failures: list[Outcome]) -> Section:
 def _state(outcome: Outcome) -> list[Row]:
     rows = []
     check, model = outcome.id, outcome.subject
-    for key, symbol in (("q", "q [rad]"), ("qd", "q̇ [rad/s]"), ("qdd", "q̈ [rad/s²]")):
+    for key, symbol in (("q", "q [rad]"), ("qd", "qd [rad/s]"), ("qdd", "qdd [rad/s²]")):
         values = (outcome.worst_state or {}).get(key, [])
         rows.append(Row((check, model, symbol, " ".join(f"{x:8.4f}" for x in values))))
         check, model = "", ""

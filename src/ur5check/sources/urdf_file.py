@@ -112,7 +112,7 @@ def _moving_link(
             parts.append(own.expressed_in(pose))
             has_extent = has_extent or bool(own.tensor.any())
             if way and own.mass > 0.0:
-                welded.append(member)
+                welded.append((member, parts[-1]))
         if way and way[-1].moves:
             held.append(way[-1].joint)
     if not parts:
@@ -131,11 +131,17 @@ def _moving_link(
     if total.mass == 0.0:
         notes.append(f"moving link {name!r} has mass zero")
     if welded:
-        notes.append(f"merged into {name!r}: {_listed(welded)}")
+        notes.append(f"merged into {name!r}: {_listed([member for member, _ in welded])}")
     if held:
         notes.append(f"held still, being outside the arm: {_listed(held)}")
     to_far_end = far_end.inverse()
-    return Link(name, far_end, total.expressed_in(to_far_end), to_far_end)
+    return Link(
+        name,
+        far_end,
+        total.expressed_in(to_far_end),
+        to_far_end,
+        tuple((member, inertia.expressed_in(to_far_end)) for member, inertia in welded),
+    )
 
 
 def _listed(names: list[str]) -> str:

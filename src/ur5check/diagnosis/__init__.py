@@ -1,0 +1,1 @@
+"""Which known mistake explains a difference: a catalogue, and a search that can also say "none"."""

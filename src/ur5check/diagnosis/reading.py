@@ -1,0 +1,178 @@
+"""Ways to read a pair of arms, and what would explain each number under each of them.
+
+The same two files can be read in several ways: joints reversed and shifted so that the axes
+coincide, or joint angles as they stand and a sign lost in a length; a DH table by the standard rule
+or by the modified one.  The reading that leaves fewest numbers unexplained, with fewest mistakes,
+is believed.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..comparison.pair import Pair, Side, pair_as_written, pair_up
+from ..comparison.walk import NEAR_ANGLE
+from .body import Body, Scene
+from .convention import read_by_the_other_rule
+from .search import DIGITS, Suspicion, Verdict, disagreements, explanations
+
+__all__ = ["Explained", "Reading", "best_reading"]
+
+#: Below this, two numbers are the same: rounding of the frames they are compared in.
+_SAME = DIGITS / 100
+
+#: (side, ids of the mistakes, whether mending the other side would do as well)
+Kind = tuple[Side, tuple[str, ...], bool]
+
+
+@dataclass(frozen=True, eq=False)
+class Explained:
+    """One number that a mistake explains.
+
+    side : whose number mending would change;  either : the other's would do as well
+    body : the link as that side has it
+    equals : other mistakes that explain it as well, their ids joined by " + "
+    """
+
+    side: Side
+    either: bool
+    verdict: Verdict
+    body: Body
+    equals: tuple[str, ...]
+
+    @property
+    def kind(self) -> Kind:
+        return self.side, self.verdict.ids, self.either
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """One way to read a pair.
+
+    rule : the side whose DH table was read by the other rule, if any
+    """
+
+    pair: Pair
+    rule: Side | None
+    explained: tuple[Explained, ...]
+    unexplained: tuple[Suspicion, ...]
+
+    @property
+    def moved_joints(self) -> int:
+        """How many joints this reading reverses or shifts."""
+        alignment = self.pair.alignment
+        moved = (alignment.signs < 0) | (np.abs(alignment.offsets) > NEAR_ANGLE)
+        return int(moved.sum())
+
+    @property
+    def cost(self) -> tuple[int, int]:
+        """Numbers left unexplained, then mistakes believed in."""
+        kinds = {explained.kind for explained in self.explained}
+        believed = len(kinds) + len(self.explained) + self.moved_joints + (self.rule is not None)
+        return len(self.unexplained), believed
+
+
+def best_reading(pair: Pair) -> Reading:
+    """The reading of a pair that asks us to believe least."""
+    readings = [_read(pair)]
+    if readings[0].moved_joints:
+        readings.append(_read(pair_as_written(pair.a, pair.given_b)))
+    if readings[0].unexplained or readings[0].moved_joints:
+        for other in read_by_the_other_rule(pair.given_b):
+            readings.append(_read(pair_up(pair.a, other), "b"))
+        for other in read_by_the_other_rule(pair.a):
+            readings.append(_read(pair_up(other, pair.given_b), "a"))
+    return min(readings, key=lambda reading: reading.cost)
+
+
+def _read(pair: Pair, rule: Side | None = None) -> Reading:
+    scenes: dict[Side, Scene] = {"b": Scene.of(pair, "b"), "a": Scene.of(pair, "a")}
+    suspicions = disagreements(scenes["b"], geometry=not pair.alignment.exact)
+    noise = float(np.median([suspicion.gap for suspicion in suspicions]))
+    candidates = []
+    unexplained = []
+    for suspicion in _whole_bodies_first(suspicions, scenes):
+        options = _options(scenes, suspicion, noise) if suspicion.gap > _SAME else []
+        if options:
+            candidates.append(options)
+        elif suspicion.gap > DIGITS:
+            unexplained.append(suspicion)
+    return Reading(pair, rule, tuple(_fewest_kinds(candidates)), tuple(unexplained))
+
+
+def _whole_bodies_first(
+    suspicions: Sequence[Suspicion], scenes: dict[Side, Scene]
+) -> Iterable[Suspicion]:
+    """One suspicion for a whole body where one mistake explains all its numbers at once."""
+    covered = set()
+    for mass in suspicions:
+        if mass.quantity == "mass" and mass.gap > DIGITS:
+            whole = Suspicion(mass.link, "body", mass.gap)
+            if _options(scenes, whole, 0.0):
+                covered.add(mass.link)
+                yield whole
+    for suspicion in suspicions:
+        if suspicion.link not in covered or suspicion.quantity in ("reach", "turn"):
+            yield suspicion
+
+
+def _options(scenes: dict[Side, Scene], suspicion: Suspicion, noise: float) -> list[Explained]:
+    """Everything that explains one number, b's mistakes first."""
+    found = {side: explanations(scene, suspicion, noise) for side, scene in scenes.items()}
+    fewest = min((len(v.mistakes) for vs in found.values() for v in vs), default=0)
+    simple = {side: [v for v in vs if len(v.mistakes) == fewest] for side, vs in found.items()}
+    by_b, by_a = ({v.ids for v in simple[side]} for side in ("b", "a"))
+    # A value taken from the other side explains only what nothing else does.
+    if any(not _last_resort(v) for vs in simple.values() for v in vs):
+        simple = {side: [v for v in vs if not _last_resort(v)] for side, vs in simple.items()}
+    link = suspicion.link
+    wide = {side: _too_wide(scenes[side].bodies[link]) for side in scenes}
+    options = []
+    for side, verdicts in simple.items():
+        for verdict in verdicts:
+            either = verdict.ids in by_b and verdict.ids in by_a
+            if either and suspicion.quantity == "tensor" and wide["a"] != wide["b"]:
+                if not wide[side]:
+                    continue  # the other side's tensor is the one that no link could have
+                either = False
+            elif either and side == "a":
+                continue  # mending b says the same
+            others = " + ".join
+            equals = dict.fromkeys(others(v.ids) for v in verdicts if v.ids != verdict.ids)
+            body = scenes[side].bodies[link]
+            options.append(Explained(side, either, verdict, body, tuple(equals)))
+    return options
+
+
+def _last_resort(verdict: Verdict) -> bool:
+    return verdict.ids == ("centre-of-shape",)
+
+
+def _too_wide(body: Body) -> bool:
+    """Whether the tensor asks for mass further out than the link is long, or 10 cm."""
+    if body.mass <= 0.0:
+        return False
+    gyration = float(np.sqrt(np.abs(np.diag(body.tensor)).max() / body.mass))
+    return gyration > max(0.1, float(np.linalg.norm(body.reach)))
+
+
+def _fewest_kinds(candidates: list[list[Explained]]) -> list[Explained]:
+    """One explanation a number, chosen so that few kinds of mistake explain many numbers.
+
+    Greedy: the kind that explains most numbers takes them all; ties go to the earlier in the
+    catalogue, and to side b.
+    """
+    chosen: list[Explained] = []
+    left = list(candidates)
+    while left:
+        counts = Counter(option.kind for options in left for option in options)
+        order = {kind: rank for rank, kind in reversed(list(enumerate(counts)))}
+        kind = max(counts, key=lambda k: (counts[k], -order[k]))
+        taken = [next((o for o in options if o.kind == kind), None) for options in left]
+        chosen += [option for option in taken if option is not None]
+        left = [options for options, t in zip(left, taken, strict=True) if t is None]
+    return chosen

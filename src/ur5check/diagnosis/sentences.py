@@ -1,0 +1,104 @@
+"""Findings in words: where, what happened, and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..comparison.pair import Side
+from ..comparison.story import base_in_words, listed
+from .body import Body
+from .cylinder import fit_cylinder
+from .mistake import Quantity
+from .reading import Explained
+from .search import Suspicion
+from .whole_arm import WholeArm
+
+__all__ = ["finding_in_words", "remark", "whole_arm_in_words"]
+
+
+def finding_in_words(
+    group: Sequence[Explained], names: Mapping[Side, str]
+) -> tuple[str, str, tuple[str, ...]]:
+    """(sentence, advice, a detail for each link) for one mistake, made in one or more links."""
+    ordered = sorted(group, key=lambda e: e.verdict.suspicion.link)
+    verdict = ordered[0].verdict
+    links = [str(e.verdict.suspicion.link + 1) for e in ordered]
+    where = f"Link{'s' if len(links) > 1 else ''} {listed(links)}"
+    arm = "one of the two" if ordered[0].either else names[ordered[0].side]
+    what = ", and ".join(mistake.says for mistake in verdict.mistakes)
+    advice = "; ".join(dict.fromkeys(mistake.mend for mistake in verdict.mistakes))
+    details = tuple(
+        f"link {link}: {_detail(explained)}" for link, explained in zip(links, ordered, strict=True)
+    )
+    return f"{where} of {arm}: {what}", advice, details
+
+
+def _detail(explained: Explained) -> str:
+    """How the mistake was made in one link, and the cylinder behind a tensor."""
+    said = ", ".join(explained.verdict.hows)
+    if explained.verdict.suspicion.quantity != "tensor":
+        return said
+    written = fit_cylinder(explained.body.mass, explained.body.tensor)
+    mended = fit_cylinder(explained.body.mass, explained.verdict.value)
+    if mended is None:
+        return said
+    instead = f" (as written: {written})" if written is not None and written != mended else ""
+    return f"{said}; mended, {mended}{instead}"
+
+
+def remark(suspicion: Suspicion, bodies: Mapping[Side, Body], names: Mapping[Side, str]) -> str:
+    """A number that no known mistake explains, with the cylinders behind a tensor."""
+    said = f"Link {suspicion.link + 1}: no single known mistake explains its {_WORDS[suspicion.quantity]}"
+    if suspicion.quantity != "tensor":
+        return f"{said} ({suspicion.gap:.2g} apart)"
+    cylinders = [
+        f"{names[side]} has {fitted}"
+        for side, body in bodies.items()
+        if (fitted := fit_cylinder(body.mass, body.tensor)) is not None
+    ]
+    return f"{said} ({'; '.join(cylinders) or f'{suspicion.gap:.2g} apart'})"
+
+
+_WORDS: dict[Quantity, str] = {
+    "mass": "mass",
+    "centre": "centre of mass",
+    "tensor": "tensor",
+    "reach": "length",
+    "turn": "twist",
+    "body": "inertia",
+}
+
+
+def whole_arm_in_words(whole: WholeArm, names: Mapping[Side, str]) -> tuple[str, str]:
+    """(sentence, advice) for what concerns the whole arm."""
+    b = names["b"]
+    joints = listed([str(number) for number, _ in whole.joints]) if whole.joints else ""
+    match whole.id:
+        case "dh-convention":
+            arm = names[whole.side or "b"]
+            return (
+                f"The DH table of {arm} reads by the other convention (standard, modified)",
+                'say which: convention = "standard" or "modified"',
+            )
+        case "joint-reversed":
+            return f"Joint {joints} of {b} turns the other way", "compare at q_b = −q_a there"
+        case "zero-shifted":
+            angles = listed([f"{np.degrees(value):+.4g}°" for _, value in whole.joints])
+            return (
+                f"Joint {joints} of {b} counts from another zero ({angles})",
+                "add the offset when states are exchanged",
+            )
+        case "base-turned":
+            return (
+                f"The base of {b} is {base_in_words(whole.base)}",
+                "turn poses, and gravity, when they are exchanged",
+            )
+        case _:
+            sizes = [f"{np.linalg.norm(g):.6g}" for g in whole.gravity or ()]
+            words = {
+                "gravity-sign": "Gravity points up in one of the two",
+                "gravity-value": f"Gravity is {' and '.join(sizes)} m/s² in {names['a']} and {b}",
+            }.get(whole.id, "Gravity points another way")
+            return words, "compare under one gravity: --gravity X Y Z"
