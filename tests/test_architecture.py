@@ -22,12 +22,13 @@ MAY_IMPORT = {
     "dynamics": {"arm", "errors"},
     "engines": {"arm", "dynamics", "errors", "version"},
     "comparison": {"arm", "dynamics", "sources", "engines", "errors"},
+    "diagnosis": {"arm", "dynamics", "comparison", "errors"},
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
     "export": {"arm", "errors", "version"},
-    "reports": {"arm", "sources", "comparison", "checks", "errors", "version"},
+    "reports": {"arm", "sources", "comparison", "diagnosis", "checks", "errors", "version"},
     "cli": {
-        "arm", "sources", "engines", "comparison", "checks", "export", "reports", "errors",
-        "version",
+        "arm", "sources", "engines", "comparison", "diagnosis", "checks", "export", "reports",
+        "errors", "version",
     },
     "strategies": {"arm"},
 }  # fmt: skip

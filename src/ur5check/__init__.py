@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .arm.serial_arm import SerialArm
     from .checks.validation import validate
     from .comparison.difference import diff
+    from .diagnosis.explanation import explain
     from .dynamics.equations import (
         coriolis_matrix,
         forward_dynamics,
@@ -35,6 +36,7 @@ _HOMES = {
     "SerialArm": ".arm.serial_arm",
     "coriolis_matrix": ".dynamics.equations",
     "diff": ".comparison.difference",
+    "explain": ".diagnosis.explanation",
     "forward_dynamics": ".dynamics.equations",
     "forward_kinematics": ".dynamics.kinematics",
     "gravity_torque": ".dynamics.equations",
@@ -52,6 +54,7 @@ __all__ = [
     "__version__",
     "coriolis_matrix",
     "diff",
+    "explain",
     "forward_dynamics",
     "forward_kinematics",
     "gravity_torque",

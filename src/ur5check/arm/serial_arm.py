@@ -25,6 +25,8 @@ import numpy as np
 from .inertia import Inertia
 from .transforms import Array, Transform, frozen
 
+_SAME_FRAME = 1e-9  # a frame and its inverse's inverse, rounded
+
 __all__ = ["STANDARD_GRAVITY", "Joint", "Limits", "Link", "SerialArm", "Source"]
 
 #: Gravity in an arm's base frame unless its source says otherwise [m/s²]; Pinocchio's default.
@@ -87,6 +89,12 @@ class Link:
     inertia: Inertia
     source_frame: Transform = field(default_factory=Transform.identity)
     welded: tuple[tuple[str, Inertia], ...] = ()
+
+    @property
+    def held_near(self) -> bool:
+        """Whether the source holds the link's numbers at its joint (a URDF), not at its far end."""
+        between = self.far_end @ self.source_frame
+        return bool(np.abs(between.matrix() - np.eye(4)).max() < _SAME_FRAME)
 
 
 @dataclass(frozen=True, eq=False)

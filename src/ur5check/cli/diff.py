@@ -1,5 +1,5 @@
-"""Say what differs between two models, by how many newton metres, at which posture it matters most,
-and whose every newton metre is.
+"""Say what differs between two models, why, by how many newton metres, whose every newton metre is,
+and at which posture it matters most.
 
 Exit code 0 if no torque differs by more than a millionth of the largest, 1 if one does.
 """
@@ -7,7 +7,10 @@ Exit code 0 if no torque differs by more than a millionth of the largest, 1 if o
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable
+from pathlib import Path
 
+from ..errors import UsageError
 from .options import (
     MODELS,
     ModelOptions,
@@ -26,6 +29,7 @@ EXAMPLES = f"""\
 
 examples:
   ur5check diff paper appendix
+  ur5check diff good.urdf suspect.urdf --mend mended.urdf
   ur5check diff old.urdf new.urdf --tip-a tool0 --tip-b tool0 --format json -o diff.json
 """
 
@@ -34,31 +38,87 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """What `diff` takes."""
     parser.add_argument("a", metavar="A", help="a model")
     parser.add_argument("b", metavar="B", help="another, held against it")
+    parser.add_argument("--quick", action="store_true", help="what differs, without the why")
+    parser.add_argument(
+        "--mend", metavar="FILE", help="write B, its known mistakes mended, as a URDF"
+    )
+    parser.add_argument(
+        "--by-parameter", action="store_true", help="go down to each of a link's ten parameters"
+    )
+    parser.add_argument(
+        "--acceleration",
+        type=float,
+        metavar="A",
+        help="bound on accelerations for the worst case [rad/s²] (default: 10)",
+    )
     add_state_options(parser)
     add_model_options(parser, ("a", "b"))
     add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Compare, report, and say whether they agree."""
+    """Compare, explain, report, and say whether they agree."""
     models = (args.a, args.b)
     options = ModelOptions.of(args, models)
-    check_output(args.output, ())
+    _check_options(args)
+    _check_outputs(args, ())
     arms = options.load(quiet=args.quiet)
-    check_output(args.output, options.files(arms))
+    _check_outputs(args, options.files(arms))
 
+    from ..arm.states import MAX_ACCELERATION
+    from ..comparison.attribution_detail import by_parameter
     from ..comparison.difference import diff
+    from ..diagnosis.explanation import explain
     from ..reports.difference_document import difference_document
     from ..reports.json_report import difference_json
 
-    progress(args.quiet, f"comparing them at {args.samples:,} states")
-    difference = diff(*arms, samples=args.samples, seed=args.seed, gravity=args.gravity)
+    def say(line: str) -> None:
+        progress(args.quiet, line)
+
+    say(f"comparing them at {args.samples:,} states")
+    d = diff(*arms, samples=args.samples, seed=args.seed, gravity=args.gravity)
+    explanation = None
+    if not args.quick:
+        if args.acceleration is None:
+            args.acceleration = MAX_ACCELERATION
+        explanation = explain(d, acceleration=args.acceleration, progress=say)
+    parameters = by_parameter(d.pair, d.states) if args.by_parameter else None
     command = command_line("diff", args, models)
+    form = format_of(args.format, args.output)
     text = rendered(
-        format_of(args.format, args.output),
+        form,
         args.output,
-        document=lambda: difference_document(difference, command=command),
-        report=lambda: difference_json(difference, command=command),
+        document=lambda: difference_document(
+            d,
+            explanation,
+            parameters=parameters,
+            written_out=args.by_parameter or form == "markdown",
+            command=command,
+        ),
+        report=lambda: difference_json(d, explanation, parameters=parameters, command=command),
     )
+    if args.mend is not None and explanation is not None:
+        from .mending import mend
+
+        mend(explanation, args.mend, say)
     emit(text, args.output)
-    return 0 if difference.agrees else 1
+    return 0 if d.agrees else 1
+
+
+def _check_options(args: argparse.Namespace) -> None:
+    """Raises UsageError for options that have no meaning together."""
+    for option in ("mend", "acceleration"):
+        if args.quick and getattr(args, option) is not None:
+            raise UsageError(f"--{option} needs the explanation that --quick leaves out; drop one")
+    if args.mend is None:
+        return
+    if Path(args.mend).suffix.lower() != ".urdf":
+        raise UsageError(f"--mend {args.mend}: a URDF is written there; end its name in .urdf")
+    if args.output is not None and Path(args.output).resolve() == Path(args.mend).resolve():
+        raise UsageError(f"--mend {args.mend}: the report goes there (-o); name another file")
+
+
+def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
+    inputs = tuple(inputs)
+    check_output(args.output, inputs)
+    check_output(args.mend, inputs, option="--mend")

@@ -29,6 +29,10 @@ __all__ = [
 MODELS = "MODEL is paper, paper-listing, appendix, erd-ur5, or a .urdf, .xacro or DH .toml file."
 
 
+# Options without a value that change what a report says.
+_FLAGS = ("quick", "by_parameter")
+
+
 def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True) -> None:
     """--format, -o, --quiet."""
     if formats:
@@ -170,6 +174,9 @@ def command_line(command: str, args: argparse.Namespace, models: tuple[str, ...]
             words += [f"--{option.replace('_', '-')}", str(value)]
     if getattr(args, "gravity", None) is not None:
         words += ["--gravity", *map(repr, args.gravity)]
+    if getattr(args, "acceleration", None) is not None:
+        words += ["--acceleration", repr(args.acceleration)]
+    words += [f"--{flag.replace('_', '-')}" for flag in _FLAGS if getattr(args, flag, False)]
     for option in ("package", "arg"):
         for text in getattr(args, option, ()):
             words += [f"--{option}", text]

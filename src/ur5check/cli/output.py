@@ -56,8 +56,10 @@ def rendered(
     return render_text(document(), width=max(width, 40), colour=colour)
 
 
-def check_output(output: str | None, inputs: Iterable[Path]) -> None:
+def check_output(output: str | None, inputs: Iterable[Path], *, option: str = "-o") -> None:
     """Refuse, before any work is done, what could not or should not be written.
+
+    option : the one that named the file, for messages
 
     Raises UsageError.
     """
@@ -65,18 +67,18 @@ def check_output(output: str | None, inputs: Iterable[Path]) -> None:
         return
     target = Path(output)
     if target.is_dir():
-        raise UsageError(f"-o {output}: is a folder; name a file in it")
+        raise UsageError(f"{option} {output}: is a folder; name a file in it")
     folder = target.resolve().parent
     if not folder.is_dir():
-        raise UsageError(f"-o {output}: there is no folder {str(folder)!r}; make it first")
+        raise UsageError(f"{option} {output}: there is no folder {str(folder)!r}; make it first")
     if not os.access(target if target.exists() else folder, os.W_OK):
-        raise UsageError(f"-o {output}: may not be written; check the permissions")
+        raise UsageError(f"{option} {output}: may not be written; check the permissions")
     for file in inputs:
         if target.exists() and file.exists() and target.samefile(file):
-            raise UsageError(f"-o {output}: is one of the inputs; name another file")
+            raise UsageError(f"{option} {output}: is one of the inputs; name another file")
 
 
-def emit(text: str, output: str | None) -> None:
+def emit(text: str, output: str | None, *, option: str = "-o") -> None:
     """Write the result, whole.  Raises UsageError if it cannot be written."""
     if output is None:
         try:
@@ -95,7 +97,7 @@ def emit(text: str, output: str | None) -> None:
         else:
             _replace(target, data)
     except OSError as error:
-        raise UsageError(f"-o {output}: cannot be written: {error.strerror}") from None
+        raise UsageError(f"{option} {output}: cannot be written: {error.strerror}") from None
 
 
 def _replace(target: Path, data: bytes) -> None:

@@ -1,13 +1,14 @@
 """Climbing to the state where two arms disagree most, with exact gradients.
 
-What is climbed is a function of Δτ = τ_a − τ_b: one joint's s · Δτ_j with s = ±1, or ½ Σ (w_j Δτ_j)².
-Both have a gradient through ∂Δτ/∂(q, q̇, q̈), which Pinocchio gives exactly (`computeRNEADerivatives`,
-Carpentier & Mansard 2018), and so does L-BFGS-B (Byrd, Lu, Nocedal & Zhu 1995) on the box.
+What is climbed is a function of Δτ = τ_a − τ_b: one joint's s Δτ_j with s = ±1, or
+½ Σ (w_j Δτ_j)².
+The gradient of either goes through ∂Δτ/∂(q, q̇, q̈), which Pinocchio gives exactly; L-BFGS-B climbs
+with it inside the box (docs/worst-case.md has the sources).
 
 One block of variables needs no search.  Δτ = ΔM q̈ + Δh is linear in q̈, so both functions are
 convex in q̈, and a convex function on a box is largest at a corner.  For one joint the corner is
 known at once: q̈_k = A_k sign(s ΔM_jk).  For the sum, q̈ ← A sign(∇) with the gradient at the corner
-before never goes down, since a convex function lies above its tangent; it ends after a few steps.
+before never goes down, since a convex function lies above its tangents; it ends in a few steps.
 """
 
 from __future__ import annotations

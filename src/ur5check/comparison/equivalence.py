@@ -1,25 +1,46 @@
-"""Different numbers, same dynamics: are two arms apart only in what torque cannot see?"""
+"""Different numbers, same dynamics: are two arms apart only in what torque cannot see?
+
+A parameter difference Δπ is split into a part that the base parameters carry, which torque sees,
+and a part in the null space, which it does not:
+
+    visible[base] = Δπ[base] + β Δπ[dependent],   visible[dependent] = 0,   invisible = Δπ − visible
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..arm.states import States
 from ..arm.transforms import Array
 from ..dynamics.newton_euler import rnea
 from ..dynamics.regressor import torque_regressor
-from .identifiability import Identifiability, VisibleSplit, identify, split
+from .identifiability import Identifiability, identify
 from .pair import Pair
 
-__all__ = ["TOLERANCE", "Equivalence", "equivalence"]
+__all__ = ["TOLERANCE", "Equivalence", "VisibleSplit", "equivalence", "split"]
 
 #: Part of the largest torque that no two careful models agree on: `difference.SAME_TORQUE`, written
 #: here again because `difference` stands above this file.  A test holds the two equal.
 TOLERANCE = 1e-6
 
 _SAME_NUMBER = 1e-12  # of the largest parameter: rounding of a change of frames
+
+
+@dataclass(frozen=True, eq=False)
+class VisibleSplit:
+    """A parameter difference Δπ as what torque sees of it and what it does not.
+
+    visible : held by base parameters alone;  invisible : in the null space; both shape (10 n,),
+        and their sum is Δπ to rounding
+    base : the difference of the base parameters, shape (rank,)
+    """
+
+    visible: Array
+    invisible: Array
+    base: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +75,17 @@ class Equivalence:
         if self.same_numbers:
             return "Same numbers, same dynamics."
         return "Different numbers, same dynamics: they differ only in what no torque can see."
+
+
+def split(identifiability: Identifiability, dpi: ArrayLike) -> VisibleSplit:
+    """What torque sees of Δπ, shape (10 n,), and what it does not.
+
+    Δπ must be held in the frames that `identify` was asked for.
+    """
+    base = identifiability.base_parameters(dpi)
+    visible = np.zeros(identifiability.columns)
+    visible[list(identifiability.base)] = base
+    return VisibleSplit(visible, np.asarray(dpi, dtype=np.float64) - visible, base)
 
 
 def equivalence(

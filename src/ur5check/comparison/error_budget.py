@@ -26,7 +26,7 @@ from ..dynamics.regressor import torque_regressor
 from .alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
 from .corrections import STEPS, Arms
 from .pair import Pair, Side
-from .printed_digits import printed_numbers, torque_of_inertial_digits, torque_of_lengths
+from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
 
 __all__ = ["BudgetItem", "ErrorBudget", "budget"]
 
@@ -130,20 +130,21 @@ def _bounds(pair: Pair, states: States, side: Side) -> Iterator[BudgetItem]:
             yield BudgetItem(
                 f"last printed digit of {what}",
                 side,
-                f"{len(parts)} numbers",
+                f"{len(parts)} number{'s' if len(parts) > 1 else ''}",
                 np.sqrt((parts**2).sum(axis=0).mean(axis=0) / 3.0),
                 np.abs(parts).sum(axis=0).max(axis=0),
                 exact=False,
             )
 
 
-def _same_frames(pair: Pair) -> Array:
+def _same_frames(pair: Pair) -> Mask:
     """For each link, whether both sources write it in the same frame, shape (n,) of bool."""
     between = [
         la.source_frame.inverse() @ T @ lb.source_frame
         for la, T, lb in zip(pair.a.links, pair.link_maps, pair.b.links, strict=True)
     ]
-    return np.array([E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH for E in between])
+    same = [E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH for E in between]
+    return np.array(same, dtype=np.bool_)
 
 
 def _rms(part: Array) -> Array:

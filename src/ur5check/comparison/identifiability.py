@@ -9,7 +9,7 @@ parameters
 can be told from motion and torque (Mayeda, Yoshida & Osuka, IEEE T-RA 6(3), 1990; Gautier & Khalil,
 "Direct calculation of minimum set of inertial parameters of serial robots", IEEE T-RA 6(3), 1990,
 pp. 368–373).  The closed-form rules of these papers ask for a DH table; `base_parameters` gets the
-same sets from numbers, for any chain (Gautier 1991).
+same sets from numbers, for any chain.
 
 Which parameters stand for their combination is a choice.  Ours is that of the textbooks: low links
 before high ones, and in a link the tensor, then the first moments, then the mass.  So the mass of a
@@ -27,17 +27,27 @@ from numpy.typing import ArrayLike
 from ..arm.inertia import PARAMETERS, parameter_map
 from ..arm.serial_arm import SerialArm
 from ..arm.states import random_states
-from ..arm.transforms import Array
+from ..arm.transforms import Array, frozen
 from ..dynamics.regressor import torque_regressor
 from .base_parameters import SAME_DIRECTION, decompose
 
-__all__ = ["CERTAIN_GAP", "Identifiability", "Label", "VisibleSplit", "identify", "split"]
+__all__ = [
+    "CERTAIN_GAP",
+    "WEAKEST",
+    "Identifiability",
+    "Label",
+    "identify",
+]
 
 Label = Literal["identifiable", "in combination", "invisible"]
 
 #: The rank is beyond doubt where singular values fall by more than this.  Exact geometry gives some
-#: 1e12; an axis tilted by a rounded angle of 1e-4 leaves 1e4 and less.
+#: 1e11, and rounded angles of 11 digits still 1e8.
 CERTAIN_GAP = 1e6
+
+#: A kept direction weaker than this part of the strongest is seen through a rounded angle (π/2 with
+#: four digits is 1e-4 off) rather than through the design.  The UR5's weakest is 0.08.
+WEAKEST = 1e-4
 
 # Places of `PARAMETERS` in the order in which we want them as base parameters.
 _WANTED = (4, 5, 6, 7, 8, 9, 1, 2, 3, 0)
@@ -51,7 +61,7 @@ class Identifiability:
     names : "m1", "mx1" … "Izz1", "m2" …, in the order of `SerialArm.parameters`
     rank : number of base parameters
     singular_values : of Y over seeded random states, columns scaled by kind, shape (10 n,)
-    gap : smallest kept over largest dropped of them;  certain : whether it exceeds CERTAIN_GAP
+    gap : smallest kept over largest dropped of them
     base, dependent : places of the parameters that stand for a combination, and of the others
     beta : shape (rank, 10 n − rank), with π_base = π[base] + beta @ π[dependent]
     null_space : shape (10 n, 10 n − rank); column k raises dependent parameter k by one and
@@ -75,8 +85,14 @@ class Identifiability:
         return len(self.names)
 
     @property
+    def weakest(self) -> float:
+        """The smallest kept singular value, as a part of the largest of all."""
+        return float(self.singular_values[self.rank - 1] / self.singular_values[0])
+
+    @property
     def certain(self) -> bool:
-        return self.gap > CERTAIN_GAP
+        """Whether the gap is huge, and nothing that was kept is all but dropped."""
+        return self.gap > CERTAIN_GAP and self.weakest > WEAKEST
 
     @property
     def doubt(self) -> str:
@@ -84,10 +100,10 @@ class Identifiability:
         if self.certain:
             return ""
         return (
-            f"rank {self.rank} of {self.columns} is not certain: the singular values fall by "
-            f"{self.gap:.2g} there, which is less than {CERTAIN_GAP:.0e}; some axis or length is "
-            "all but special (a rounded angle, a tiny offset), and what that shows is all but "
-            "invisible"
+            f"rank {self.rank} of {self.columns} is not certain: the weakest direction kept is "
+            f"{self.weakest:.1e} of the strongest and {self.gap:.1e} times what is dropped "
+            f"(wanted: more than {WEAKEST:.0e} and {CERTAIN_GAP:.0e}); some axis or length is all "
+            "but special, by a rounded angle or a tiny offset"
         )
 
     def names_of(self, label: Label) -> tuple[str, ...]:
@@ -97,9 +113,7 @@ class Identifiability:
 
     def base_parameters(self, pi: ArrayLike) -> Array:
         """π_base of parameters (or of a parameter difference) π, shape (10 n,); shape (rank,)."""
-        pi = np.asarray(pi, dtype=np.float64)
-        if pi.shape != (self.columns,):
-            raise ValueError(f"expected {self.columns} parameters, got shape {pi.shape}")
+        pi = frozen(pi, (self.columns,))
         return np.asarray(pi[list(self.base)] + self.beta @ pi[list(self.dependent)])
 
     def combinations(self) -> tuple[str, ...]:
@@ -116,20 +130,6 @@ class Identifiability:
             )
             for place, row in zip(self.base, self.beta, strict=True)
         )
-
-
-@dataclass(frozen=True, eq=False)
-class VisibleSplit:
-    """A parameter difference Δπ as what torque sees of it and what it does not.
-
-    visible : held by base parameters alone;  invisible : in the null space; both shape (10 n,),
-        and their sum is Δπ to rounding
-    base : the difference of the base parameters, shape (rank,)
-    """
-
-    visible: Array
-    invisible: Array
-    base: Array
 
 
 def identify(
@@ -149,9 +149,8 @@ def identify(
     states = random_states(arm.n, 40 + 40 * arm.n, seed)
     Y = torque_regressor(arm, states.q, states.qd, states.qdd, gravity).reshape(-1, 10 * arm.n)
     if frame == "source":
-        for i, link in enumerate(arm.links):
-            block = slice(10 * i, 10 * i + 10)
-            Y[:, block] = Y[:, block] @ parameter_map(link.source_frame)
+        for block, link in zip(np.split(Y, arm.n, axis=1), arm.links, strict=True):
+            block[:] = block @ parameter_map(link.source_frame)
     found = decompose(Y, _scale(Y), [10 * i + k for i in range(arm.n) for k in _WANTED])
     null_space = np.zeros((10 * arm.n, len(found.dependent)))
     null_space[list(found.dependent)] = np.eye(len(found.dependent))
@@ -167,17 +166,6 @@ def identify(
         null_space,
         tuple(_label(*sizes) for sizes in zip(found.seen, found.unseen, strict=True)),
     )
-
-
-def split(identifiability: Identifiability, dpi: ArrayLike) -> VisibleSplit:
-    """What torque sees of Δπ, shape (10 n,), and what it does not.
-
-    Δπ must be held in the frames that `identify` was asked for.
-    """
-    base = identifiability.base_parameters(dpi)
-    visible = np.zeros(identifiability.columns)
-    visible[list(identifiability.base)] = base
-    return VisibleSplit(visible, np.asarray(dpi, dtype=np.float64) - visible, base)
 
 
 def _scale(Y: Array) -> Array:

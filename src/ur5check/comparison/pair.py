@@ -20,14 +20,9 @@ from .alignment import (
     arm_in_coordinates_of,
 )
 
-__all__ = ["Pair", "Side", "pair_as_written", "pair_up"]
+__all__ = ["Pair", "Side", "pair_as_written", "pair_up", "same_recipe"]
 
 Side = Literal["a", "b"]
-
-#: When two geometries differ, link frames whose axes differ by less than this [rad] were written by
-#: the same recipe, and a link's numbers are compared as they stand in them.  Half a degree: more
-#: than any rounded angle, less than any two recipes differ by.
-_SAME_RECIPE = 0.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +93,7 @@ def _link_maps(a: SerialArm, b: SerialArm, same_axes: bool) -> tuple[Transform, 
 
     Two files written in the same frames are compared digit by digit, untouched by rounding: a map
     between source frames that is the identity within the tolerance of the axes becomes exactly so.
-    With unequal geometry nothing coincides, and frames that point the same way are taken as the
+    With unequal geometry nothing coincides, and frames made by the same recipe are taken as the
     same, so that a wrong length counts as geometry and not as a centre of mass too.
     """
     rest = [0.0] * a.n
@@ -106,16 +101,28 @@ def _link_maps(a: SerialArm, b: SerialArm, same_axes: bool) -> tuple[Transform, 
         Transform.from_matrix(T_a).inverse() @ Transform.from_matrix(T_b)
         for T_a, T_b in zip(link_frames(a, rest), link_frames(b, rest), strict=True)
     ]
+    as_written = [
+        la.source_frame @ lb.source_frame.inverse() for la, lb in zip(a.links, b.links, strict=True)
+    ]
+    if not same_axes:
+        return tuple(as_written if same_recipe(a, b) else in_space)
     between_sources = [
         la.source_frame.inverse() @ T @ lb.source_frame
         for la, T, lb in zip(a.links, in_space, b.links, strict=True)
     ]
-    as_written = [
-        la.source_frame @ lb.source_frame.inverse() for la, lb in zip(a.links, b.links, strict=True)
-    ]
-    if not same_axes and all(E.angle() < _SAME_RECIPE for E in between_sources):
-        return tuple(as_written)
     return tuple(
         written if E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH else T
         for T, E, written in zip(in_space, between_sources, as_written, strict=True)
+    )
+
+
+def same_recipe(a: SerialArm, b: SerialArm) -> bool:
+    """Whether two sources put their link frames by the same rule, as far as their numbers show.
+
+    Each link's numbers are held at the same end of it, and each joint turns about the same axis of
+    its own frame: two DH tables do so, and two URDFs that descend from one.
+    """
+    return all(
+        la.held_near == lb.held_near and np.abs(ja.axis - jb.axis).max() < SAME_ANGLE
+        for la, lb, ja, jb in zip(a.links, b.links, a.joints, b.joints, strict=True)
     )

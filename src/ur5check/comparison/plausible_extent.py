@@ -18,9 +18,9 @@ __all__ = ["extent_findings"]
 #: How far a mesh may be from the body that it shows [m]: rounded edges, covers, screws.
 _MARGIN = 0.005
 
-#: k of the link against k of its hull filled evenly.  All mass at the ends of a rod gives √3; a
-#: body with all its mass within a quarter of its size gives less than ¼ or so.
-_WIDEST, _NARROWEST = float(np.sqrt(3.0)), 0.25
+#: k of the link against k of its hull filled evenly.  All mass at the ends of a rod gives √3; all
+#: of it in a middle part of the same form, a fifth as large, gives ⅕.
+_WIDEST, _NARROWEST = float(np.sqrt(3.0)), 0.2
 
 #: kg/m³.  A hollow shell of aluminium or carbon with cables in it stays above 200 (balsa has 150);
 #: nothing that arms are built of is denser than copper, 8,960 (steel 7,850, aluminium 2,700).

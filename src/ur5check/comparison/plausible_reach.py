@@ -55,7 +55,7 @@ def reach_findings(number: int, link: Link) -> list[Plausibility]:
         )
     findings += _past_the_ends(number, name, link.inertia.com, reach / length, length)
     slender = moments[1] > 0.0 and moments[0] < _SLENDER * moments[1]
-    angle = float(np.arccos(min(1.0, abs(axes[:, 0] @ reach) / length)))
+    angle = float(np.arccos(min(1.0, abs(float(axes[:, 0] @ reach)) / length)))
     if slender and angle > _ACROSS:
         sentence = (
             f"{name}: its inertia is that of a slender body that lies {np.degrees(angle):.0f}° "

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arm.inertia import Inertia, parameter_map
 from ..arm.serial_arm import SerialArm
@@ -21,9 +22,17 @@ from ..arm.transforms import Array, Transform
 from .decimals import half_units
 from .reframing import arm_with_link, reach_is_written_at_far_end, with_far_end
 
-__all__ = ["PrintedNumbers", "printed_numbers", "torque_of_inertial_digits", "torque_of_lengths"]
+__all__ = [
+    "Mask",
+    "PrintedNumbers",
+    "printed_numbers",
+    "torque_of_inertial_digits",
+    "torque_of_lengths",
+]
 
 _SAME_NUMBER = 1e-12
+
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +49,7 @@ class PrintedNumbers:
     lengths: Array
     length_halves: Array
 
-    def without(self, other: PrintedNumbers, same_frame: Array) -> PrintedNumbers:
+    def without(self, other: PrintedNumbers, same_frame: Mask) -> PrintedNumbers:
         """The same, with nothing to doubt where the other arm has the very same number.
 
         same_frame : for each link, whether both sources write it in one frame, shape (n,); where
@@ -129,5 +138,6 @@ def _halves(table: Array, beside: Array | None = None) -> Array:
     return np.array(half_units(table.ravel().tolist(), others)).reshape(table.shape)
 
 
-def _same(ours: Array, theirs: Array) -> Array:
-    return np.asarray(np.abs(ours - theirs) <= _SAME_NUMBER * np.maximum(1.0, np.abs(ours)))
+def _same(ours: Array, theirs: Array) -> Mask:
+    apart = np.abs(ours - theirs)
+    return np.asarray(apart <= _SAME_NUMBER * np.maximum(1.0, np.abs(ours)), dtype=np.bool_)

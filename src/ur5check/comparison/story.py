@@ -9,7 +9,7 @@ from .alignment import SAME_ANGLE, SAME_LENGTH
 from .attribution import Owner
 from .difference import Difference
 
-__all__ = ["base_in_words", "listed", "owner_in_words", "tell"]
+__all__ = ["base_in_words", "listed", "owner_in_words", "owners_in_words", "tell"]
 
 _WORTH_A_WORD = 0.02  # an owner of less than 2 % of the mean square difference is left to the table
 _STANDS_OUT = 3.0  # principal moments further apart than this are named
@@ -19,7 +19,7 @@ def tell(difference: Difference) -> tuple[str, ...]:
     """Three to six sentences: verdict, geometry, gravity, owners, what stands out, what is left."""
     sentences = [_verdict(difference), _geometry(difference)]
     if not difference.agrees:
-        sentences += [_gravity(difference), _owners(difference), _outliers(difference)]
+        sentences += [_gravity(difference), owners_in_words(difference), _outliers(difference)]
     sentences.append(_account(difference))
     return tuple(sentence for sentence in sentences if sentence)
 
@@ -106,7 +106,8 @@ def _gravity(d: Difference) -> str:
     return f"Different gravity: {g_a.tolist()} against {g_b.tolist()} m/s²."
 
 
-def _owners(d: Difference) -> str:
+def owners_in_words(d: Difference) -> str:
+    """Who owns most of the difference."""
     share = d.attribution.share()
     order = np.argsort(-share)
     named = [

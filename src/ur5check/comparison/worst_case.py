@@ -38,7 +38,8 @@ class WorstCase:
     effort_share : the value as a share of the effort limit; None where that is not known
     state : q, qd and qdd, n numbers each
     best_random : the value at the best of the random states
-    starts, evaluations : climbs begun (0 where there is nothing but rounding), and states at which Δτ was asked for on the way
+    starts : climbs begun; 0 where nothing but rounding parts the two arms
+    evaluations : states at which the climbs asked for Δτ and its gradient
     """
 
     what: Literal["one joint", "all joints together"]

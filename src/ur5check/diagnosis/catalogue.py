@@ -57,7 +57,8 @@ def _scaled(quantity: Quantity, says: str, mend: str) -> Mistake:
         for factor in DECADES:
             yield words_of(factor), factor * value_of(scene.bodies[i], quantity)
 
-    return Mistake(f"{quantity}-scaled", quantity, says, mend, remedies)
+    # Not in pairs: shrunk to nothing, a number takes any mistake that adds something.
+    return Mistake(f"{quantity}-scaled", quantity, says, mend, remedies, alone=True)
 
 
 def _exchanged(quantity: Quantity) -> Mistake:
@@ -84,7 +85,11 @@ def _exchanged(quantity: Quantity) -> Mistake:
 
 
 def _mass_digits(scene: Scene, i: int) -> Iterator[Remedy]:
-    yield from digit_swaps(scene.bodies[i].mass)
+    # Two neighbouring digits further back make a difference that any two measurements have: the
+    # mended number must be the other one, digit by digit.
+    for how, mended in digit_swaps(scene.bodies[i].mass):
+        if abs(mended - scene.truth[i].mass) <= 1e-9 * mended:
+            yield how, mended
 
 
 # --- centre of mass ------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from ..dynamics.newton_euler import rnea
 from .body import body_of, with_body
 from .mistake import changed
 from .reading import Explained, Kind, Reading, best_reading
-from .search import Suspicion
+from .search import Suspicion, Verdict
 from .sentences import finding_in_words, remark, whole_arm_in_words
 from .whole_arm import WholeArm, whole_arm
 
@@ -54,7 +54,8 @@ class Diagnosis:
     unexplained : numbers on which the arms disagree and no known mistake says why, and a sentence
         on each in `remarks`
     before, after : RMS of Δτ as the arms are, and with everything mended [N m]
-    mended_a, mended_b : both arms as they were given, their mistakes mended
+    mended_a : a as it was given, less the mistakes that are taken to be its own
+    mended_b : b as it was given, with every mistake mended that mending b can mend
     """
 
     pair: Pair
@@ -135,13 +136,17 @@ class _Course:
     def mend_links(self, group: list[Explained]) -> None:
         after = self.would_leave(group)
         self.arms = _with_mended(self.arms, group)
-        self.given = _with_mended(self.given, group)
+        for explained in group:
+            if explained.side == "a":
+                self.given["a"] = _mended(self.given["a"], explained, explained.verdict)
+            if explained.in_b is not None:
+                self.given["b"] = _mended(self.given["b"], explained, explained.in_b)
         first = group[0]
         sentence, advice, details = finding_in_words(group, self.names)
         self.findings.append(
             Finding(
                 " + ".join(first.verdict.ids),
-                None if first.either else first.side,
+                None if all(e.either for e in group) else first.side,
                 tuple(sorted(e.verdict.suspicion.link + 1 for e in group)),
                 sentence,
                 advice,
@@ -158,11 +163,15 @@ class _Course:
 def _with_mended(arms: dict[Side, SerialArm], group: list[Explained]) -> dict[Side, SerialArm]:
     arms = dict(arms)
     for explained in group:
-        link, quantity = explained.verdict.suspicion.link, explained.verdict.suspicion.quantity
-        arm = arms[explained.side]
-        body = changed(body_of(arm, link), quantity, explained.verdict.value)
-        arms[explained.side] = with_body(arm, link, body)
+        arms[explained.side] = _mended(arms[explained.side], explained, explained.verdict)
     return arms
+
+
+def _mended(arm: SerialArm, explained: Explained, verdict: Verdict) -> SerialArm:
+    suspicion = verdict.suspicion
+    body = body_of(arm, suspicion.link, explained.body.after_turn)
+    mended = changed(body, suspicion.quantity, verdict.value)
+    return with_body(arm, suspicion.link, mended)
 
 
 def _rms(a: SerialArm, b: SerialArm, states: States) -> float:

@@ -18,7 +18,7 @@ _FIELDS: dict[Quantity, str] = {
     "mass": "mass",
     "centre": "com",
     "tensor": "tensor",
-    "reach": "reach",
+    "reach": "offset",
     "turn": "turn",
     "body": "whole",
 }

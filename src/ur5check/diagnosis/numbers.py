@@ -34,9 +34,12 @@ def axis_swaps() -> Iterator[tuple[str, Array]]:
 
 
 def digit_swaps(value: float) -> Iterator[Remedy]:
-    """Two neighbouring digits of a printed number exchanged."""
+    """Two neighbouring digits of a printed number exchanged.
+
+    Nobody prints more than eight digits; a number that has more was computed.
+    """
     text = repr(abs(value))
-    if "e" in text:
+    if "e" in text or len(text.replace(".", "").lstrip("0")) > 8:
         return
     digits = [k for k, character in enumerate(text) if character.isdigit()]
     for one, other in pairwise(digits):

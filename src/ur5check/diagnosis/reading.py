@@ -25,17 +25,18 @@ __all__ = ["Explained", "Reading", "best_reading"]
 #: Below this, two numbers are the same: rounding of the frames they are compared in.
 _SAME = DIGITS / 100
 
-#: (side, ids of the mistakes, whether mending the other side would do as well)
-Kind = tuple[Side, tuple[str, ...], bool]
+#: (side, ids of the mistakes)
+Kind = tuple[Side, tuple[str, ...]]
 
 
 @dataclass(frozen=True, eq=False)
 class Explained:
     """One number that a mistake explains.
 
-    side : whose number mending would change;  either : the other's would do as well
+    side : whose mistake it is taken to be;  either : nothing says which of the two
     body : the link as that side has it
     equals : other mistakes that explain it as well, their ids joined by " + "
+    in_b : how mending b would do it, if it would
     """
 
     side: Side
@@ -43,10 +44,11 @@ class Explained:
     verdict: Verdict
     body: Body
     equals: tuple[str, ...]
+    in_b: Verdict | None
 
     @property
     def kind(self) -> Kind:
-        return self.side, self.verdict.ids, self.either
+        return self.side, self.verdict.ids
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,26 +127,28 @@ def _options(scenes: dict[Side, Scene], suspicion: Suspicion, noise: float) -> l
     found = {side: explanations(scene, suspicion, noise) for side, scene in scenes.items()}
     fewest = min((len(v.mistakes) for vs in found.values() for v in vs), default=0)
     simple = {side: [v for v in vs if len(v.mistakes) == fewest] for side, vs in found.items()}
-    by_b, by_a = ({v.ids for v in simple[side]} for side in ("b", "a"))
     # A value taken from the other side explains only what nothing else does.
     if any(not _last_resort(v) for vs in simple.values() for v in vs):
         simple = {side: [v for v in vs if not _last_resort(v)] for side, vs in simple.items()}
-    link = suspicion.link
-    wide = {side: _too_wide(scenes[side].bodies[link]) for side in scenes}
+    in_b = {verdict.ids: verdict for verdict in simple["b"]}
+    tied = in_b.keys() & {verdict.ids for verdict in simple["a"]}
+    likelier = _less_plausible(scenes, suspicion)
     options = []
     for side, verdicts in simple.items():
         for verdict in verdicts:
-            either = verdict.ids in by_b and verdict.ids in by_a
-            if either and suspicion.quantity == "tensor" and wide["a"] != wide["b"]:
-                if not wide[side]:
-                    continue  # the other side's tensor is the one that no link could have
-                either = False
-            elif either and side == "a":
-                continue  # mending b says the same
-            others = " + ".join
-            equals = dict.fromkeys(others(v.ids) for v in verdicts if v.ids != verdict.ids)
-            body = scenes[side].bodies[link]
-            options.append(Explained(side, either, verdict, body, tuple(equals)))
+            if verdict.ids in tied and likelier not in (None, side):
+                continue
+            equals = dict.fromkeys(" + ".join(v.ids) for v in verdicts if v.ids != verdict.ids)
+            options.append(
+                Explained(
+                    side,
+                    verdict.ids in tied and likelier is None,
+                    verdict,
+                    scenes[side].bodies[suspicion.link],
+                    tuple(equals),
+                    in_b.get(verdict.ids),
+                )
+            )
     return options
 
 
@@ -152,26 +156,45 @@ def _last_resort(verdict: Verdict) -> bool:
     return verdict.ids == ("centre-of-shape",)
 
 
-def _too_wide(body: Body) -> bool:
-    """Whether the tensor asks for mass further out than the link is long, or 10 cm."""
-    if body.mass <= 0.0:
-        return False
-    gyration = float(np.sqrt(np.abs(np.diag(body.tensor)).max() / body.mass))
-    return gyration > max(0.1, float(np.linalg.norm(body.reach)))
+def _less_plausible(scenes: dict[Side, Scene], suspicion: Suspicion) -> Side | None:
+    """The side whose number no link could well have, where mending either would do.
+
+    A tensor that asks for mass further out than the link is long (or 10 cm); a centre of mass that
+    lies off the link by half its length (or 10 cm).
+    """
+    body_a, body_b = (scenes[side].bodies[suspicion.link] for side in ("a", "b"))
+    if suspicion.quantity == "tensor":
+        odd_a, odd_b = (_gyration(b) > max(0.1, _length(b)) for b in (body_a, body_b))
+    elif suspicion.quantity in ("centre", "reach"):
+        odd_a, odd_b = (b.centre_off_link() > max(0.1, 0.5 * _length(b)) for b in (body_a, body_b))
+    else:
+        return None
+    return None if odd_a == odd_b else "a" if odd_a else "b"
+
+
+def _gyration(body: Body) -> float:
+    """The largest radius of gyration [m]."""
+    largest = float(np.abs(np.diag(body.tensor)).max())
+    return float(np.sqrt(largest / body.mass)) if body.mass > 0.0 else 0.0
+
+
+def _length(body: Body) -> float:
+    return float(np.linalg.norm(body.reach))
 
 
 def _fewest_kinds(candidates: list[list[Explained]]) -> list[Explained]:
     """One explanation a number, chosen so that few kinds of mistake explain many numbers.
 
     Greedy: the kind that explains most numbers takes them all; ties go to the earlier in the
-    catalogue, and to side b.
+    catalogue, and to side b.  A number that either side's mending explains follows those whose side
+    is known.
     """
     chosen: list[Explained] = []
     left = list(candidates)
     while left:
         counts = Counter(option.kind for options in left for option in options)
-        order = {kind: rank for rank, kind in reversed(list(enumerate(counts)))}
-        kind = max(counts, key=lambda k: (counts[k], -order[k]))
+        known = Counter(o.kind for options in left for o in options if not o.either)
+        kind = max(counts, key=lambda k: (counts[k], known[k]))  # the first among equals
         taken = [next((o for o in options if o.kind == kind), None) for options in left]
         chosen += [option for option in taken if option is not None]
         left = [options for options, t in zip(left, taken, strict=True) if t is None]

@@ -26,8 +26,11 @@ def finding_in_words(
     verdict = ordered[0].verdict
     links = [str(e.verdict.suspicion.link + 1) for e in ordered]
     where = f"Link{'s' if len(links) > 1 else ''} {listed(links)}"
-    arm = "one of the two" if ordered[0].either else names[ordered[0].side]
+    arm = "one of the two" if all(e.either for e in ordered) else names[ordered[0].side]
     what = ", and ".join(mistake.says for mistake in verdict.mistakes)
+    hows = {e.verdict.hows for e in ordered}
+    if len(hows) == 1:  # made in the same way everywhere: worth saying at once
+        what += f" ({', '.join(verdict.hows)})"
     advice = "; ".join(dict.fromkeys(mistake.mend for mistake in verdict.mistakes))
     details = tuple(
         f"link {link}: {_detail(explained)}" for link, explained in zip(links, ordered, strict=True)
@@ -50,7 +53,8 @@ def _detail(explained: Explained) -> str:
 
 def remark(suspicion: Suspicion, bodies: Mapping[Side, Body], names: Mapping[Side, str]) -> str:
     """A number that no known mistake explains, with the cylinders behind a tensor."""
-    said = f"Link {suspicion.link + 1}: no single known mistake explains its {_WORDS[suspicion.quantity]}"
+    number = f"link {suspicion.link + 1}'s {_WORDS[suspicion.quantity]}"
+    said = f"No single known mistake explains {number}"
     if suspicion.quantity != "tensor":
         return f"{said} ({suspicion.gap:.2g} apart)"
     cylinders = [

@@ -10,8 +10,11 @@ from ..arm.serial_arm import SerialArm
 from ..checks.check import Outcome
 from ..checks.story import tell as tell_validation
 from ..checks.validation import Validation
+from ..comparison.attribution import Attribution
 from ..comparison.difference import Difference
 from ..comparison.story import tell as tell_difference
+from ..diagnosis.explanation import Explanation
+from .explanation_json import attribution_value, explanation_value
 from .json_values import Report, inertia_value, joint_value, model_value, strict
 from .provenance import Provenance, inputs_of
 
@@ -41,11 +44,19 @@ def validation_json(v: Validation, *, command: str = "") -> Report:
     )
 
 
-def difference_json(d: Difference, *, command: str = "") -> Report:
-    """`diff` as ur5check.difference/1."""
+def difference_json(
+    d: Difference,
+    explanation: Explanation | None = None,
+    *,
+    parameters: Attribution | None = None,
+    command: str = "",
+) -> Report:
+    """`diff` as ur5check.difference/1; its explanation and finer attribution where given."""
     arms = [d.pair.a, d.pair.given_b]
     head = _head("difference", arms, command, d.seed, len(d.states))
-    return strict({**head, **_difference(d)})
+    explained = {} if explanation is None else explanation_value(explanation)
+    finer = {} if parameters is None else {"by_parameter": attribution_value(parameters)}
+    return strict({**head, **_difference(d), **explained, **finer})
 
 
 def arm_json(arm: SerialArm, *, command: str = "") -> Report:

@@ -7,15 +7,15 @@ import math
 import numpy as np
 
 from ..arm.transforms import Array
-from ..comparison.attribution import Owner
+from ..comparison.attribution import Attribution, Owner
 from ..comparison.difference import Difference
 from ..comparison.story import base_in_words
 from .document import Column, Row, Table
-from .wording import MISSING, figures, joined, link_label, posture, residue
+from .wording import figures, joined, link_label, percent, posture, residue
 
-__all__ = ["alignment_lines", "owner_table", "torque_table"]
+__all__ = ["alignment_lines", "owner_rows", "owner_table", "torque_table"]
 
-_WORTH_A_ROW = 1e-3  # an owner of less than 0.1 % of the mean square difference gets no row
+_WORTH_A_ROW = 5e-3  # of the sizes of all owners' parts; a smaller one gets no row
 
 
 def alignment_lines(d: Difference) -> tuple[str, ...]:
@@ -67,7 +67,7 @@ def torque_table(d: Difference) -> Table:
                 figures(torques.scale[i]),
                 figures(torques.rms[i]),
                 figures(torques.maximum[i]),
-                _percent(torques.share_of_effort()[i]),
+                percent(torques.share_of_effort()[i]),
                 posture(d.states[int(torques.worst[i])]["q"], joints),
             )
         )
@@ -90,36 +90,47 @@ def torque_table(d: Difference) -> Table:
 
 
 def owner_table(d: Difference) -> Table:
-    """Whose the difference is, the largest share first."""
-    share, rms = d.attribution.share(), d.attribution.rms()
-    order = np.argsort(-np.abs(share), kind="stable")
-    shown = [int(k) for k in order if abs(share[k]) >= _WORTH_A_ROW]
-    rows = [
+    """Whose the difference is, the largest part first."""
+    rows, note = owner_rows(d, d.attribution)
+    return Table(
+        (
+            Column("owner"),
+            Column("weight [%]", number=True),
+            Column("share [%]", number=True),
+            Column("RMS [N m]", number=True),
+            Column("most at joint"),
+        ),
+        rows,
+        title="Whose it is",
+        note=note,
+    )
+
+
+def owner_rows(d: Difference, attribution: Attribution) -> tuple[tuple[Row, ...], str]:
+    """Owners by the size of their parts, and a note on how to read them."""
+    weight, share, rms = attribution.weight(), attribution.share(), attribution.rms()
+    order = np.argsort(-weight, kind="stable")
+    shown = [int(k) for k in order if weight[k] >= _WORTH_A_ROW]
+    rows = tuple(
         Row(
             (
-                _owner_label(d, d.attribution.owners[k]),
-                f"{100 * share[k]:.1f}",
+                _owner_label(d, attribution.owners[k]),
+                f"{100 * weight[k]:.1f}",
+                f"{round(100 * share[k], 1) + 0.0:.1f}",
                 figures(rms[k].max()),
                 _strongest(d, rms[k]),
             )
         )
         for k in shown
-    ]
-    rest = len(share) - len(shown)
-    note = "Share: of the mean square difference; negative: works against the others."
-    if rest:
-        note += f" {rest} owners below 0.1 % have no row."
-    return Table(
-        (
-            Column("owner"),
-            Column("share [%]", number=True),
-            Column("RMS [N m]", number=True),
-            Column("most at joint"),
-        ),
-        tuple(rows),
-        title="Whose it is",
-        note=note,
     )
+    note = (
+        "Weight: of the sizes of all parts. Share: of the mean square difference; negative: works "
+        "against the others."
+    )
+    rest = int((weight > 0.0).sum()) - len(shown)
+    if rest:
+        note += f" {rest} more of less than {_WORTH_A_ROW:.1%} weight."
+    return rows, note
 
 
 def _owner_label(d: Difference, owner: Owner) -> str:
@@ -131,7 +142,3 @@ def _owner_label(d: Difference, owner: Owner) -> str:
 
 def _strongest(d: Difference, rms: Array) -> str:
     return d.pair.a.joints[int(rms.argmax())].name
-
-
-def _percent(share: float) -> str:
-    return MISSING if math.isnan(share) else f"{100 * share:.2f}"

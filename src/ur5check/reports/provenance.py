@@ -19,8 +19,10 @@ __all__ = ["Provenance", "inputs_of", "library_versions"]
 _LIBRARIES = {
     "pinocchio": "pin",
     "numpy": "numpy",
+    "scipy": "scipy",
     "xacro": "xacro",
     "yourdfpy": "yourdfpy",
+    "trimesh": "trimesh",
     "example-robot-data": "example-robot-data",
 }
 

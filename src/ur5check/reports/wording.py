@@ -8,7 +8,16 @@ from collections.abc import Sequence
 from ..arm.serial_arm import Joint
 from ..arm.transforms import Array
 
-__all__ = ["MISSING", "coordinates", "figures", "joined", "link_label", "posture", "residue"]
+__all__ = [
+    "MISSING",
+    "coordinates",
+    "figures",
+    "joined",
+    "link_label",
+    "percent",
+    "posture",
+    "residue",
+]
 
 #: What stands in a table where there is no number.
 MISSING = "–"
@@ -32,6 +41,11 @@ def figures(value: float | None) -> str:
 def residue(value: float) -> str:
     """Two significant digits for what is next to nothing, as it ought to be; else all four."""
     return f"{value:.1e}" if 0.0 < abs(value) < 1e-3 else figures(value)
+
+
+def percent(share: float | None) -> str:
+    """A share in percent, to a hundredth."""
+    return MISSING if share is None or math.isnan(share) else f"{100 * share:.2f}"
 
 
 def coordinates(vector: Array, unit: float = 1.0) -> str:

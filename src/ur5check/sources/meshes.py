@@ -151,7 +151,7 @@ def _read(path: Path, name: str) -> Any:
         )
     try:
         return trimesh.load_scene(path, skip_materials=True).to_mesh()
-    except Exception as error:  # noqa: BLE001 - each format's library has errors of its own
+    except Exception as error:  # each format's library has errors of its own
         problem = f"the mesh cannot be read: {type(error).__name__}: {error}"
         raise ModelError(problem, remedy="export it again", element=name) from error
 

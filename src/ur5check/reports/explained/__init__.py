@@ -1,0 +1,1 @@
+"""The sections in which `diff` explains a difference, one file each."""

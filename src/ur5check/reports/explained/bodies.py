@@ -1,0 +1,42 @@
+"""Plausibility: what is odd about either arm's bodies, the gravest first."""
+
+from __future__ import annotations
+
+from ...comparison.plausible_body import Plausibility, Severity
+from ...diagnosis.explanation import Explanation
+from ..document import Column, Row, Section, Table
+from ..wording import figures
+
+__all__ = ["bodies_section"]
+
+_GRAVEST_FIRST: tuple[Severity, ...] = ("impossible", "suspicious", "note")
+
+
+def bodies_section(e: Explanation) -> Section:
+    """Findings, no failures: a vendor may have reasons."""
+    pair = e.difference.pair
+    found = [(pair.a.name, p) for p in e.plausible_a]
+    # The same arm twice has the same oddities.
+    found += [(pair.b.name, p) for p in e.plausible_b if (pair.b.name, p) not in found]
+    if not found:
+        return Section("Plausibility", ("Nothing is odd about either arm's bodies.",))
+    found.sort(key=lambda of: _GRAVEST_FIRST.index(of[1].severity))
+    table = Table(
+        (
+            Column(""),
+            Column("in"),
+            Column("what is odd"),
+            Column("found", number=True),
+            Column("bound", number=True),
+            Column("unit"),
+        ),
+        tuple(_row(name, p) for name, p in found),
+        note="Impossible: for any body, or for the one that its mesh shows. Suspicious: beyond the "
+        "habits of robots.",
+    )
+    return Section("Plausibility", tables=(table,))
+
+
+def _row(name: str, p: Plausibility) -> Row:
+    cells = (p.severity, name, p.sentence, figures(p.value), figures(p.bound), p.unit)
+    return Row(cells, bad=p.severity == "impossible")

@@ -1,0 +1,53 @@
+"""Digits: what rounded constants and the last printed digits cost in torque."""
+
+from __future__ import annotations
+
+from ...comparison.error_budget import BudgetItem
+from ...diagnosis.explanation import Explanation
+from ..document import Column, Row, Section, Table
+from ..wording import figures, residue
+
+__all__ = ["digits_section"]
+
+
+def digits_section(e: Explanation) -> Section:
+    """A row for each kind of digits, and the remainder that they do not explain."""
+    budget, joints = e.budget, e.difference.pair.a.joints
+    names = {"a": e.difference.pair.a.name, "b": e.difference.pair.b.name}
+    worst = int(budget.remainder.argmax())
+    if budget.digits_suffice:
+        said = "Digits alone explain the difference: nothing is left to be explained."
+    else:
+        said = (
+            f"Digits explain up to {residue(float(budget.explained.max()))} N m RMS; "
+            f"{figures(float(budget.remainder[worst]))} N m of "
+            f"{figures(float(budget.total[worst]))} N m RMS are left at joint {worst + 1} "
+            f"({joints[worst].name})."
+        )
+    table = Table(
+        (
+            Column("cause"),
+            Column("in"),
+            Column("where"),
+            Column(""),
+            Column("RMS [N m]", number=True),
+            Column("max [N m]", number=True),
+        ),
+        tuple(_row(item, names[item.side]) for item in budget.items),
+        note="At the joint that feels it most. Recomputed: put right and asked again. Bound: what "
+        "the last printed digit of every number may be worth at most.",
+    )
+    return Section("Digits", (said,), (table,) if table.rows else ())
+
+
+def _row(item: BudgetItem, name: str) -> Row:
+    return Row(
+        (
+            item.cause,
+            name,
+            item.where,
+            "recomputed" if item.exact else "bound",
+            residue(float(item.rms.max())),
+            residue(float(item.maximum.max())),
+        )
+    )

@@ -1,0 +1,70 @@
+"""Whose newton metres: owners, terms of the equation of motion, and parameters on demand."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...comparison.attribution import Attribution
+from ...comparison.attribution_detail import TermAttribution
+from ...comparison.difference import Difference
+from ..document import Column, Row, Section, Table
+from ..pair_parts import owner_rows, owner_table
+from ..wording import figures, residue
+
+__all__ = ["owners_section"]
+
+
+def owners_section(
+    d: Difference, terms: TermAttribution | None, parameters: Attribution | None
+) -> Section:
+    """Every newton metre's owner.
+
+    terms : None in a quick report;  parameters : the finer split, where it was asked for
+    """
+    tables = [owner_table(d)]
+    if terms is not None:
+        tables.append(_term_table(d, terms))
+    if parameters is not None:
+        tables.append(_parameter_table(d, parameters))
+    remainder = residue(float(np.abs(d.attribution.remainder).max()))
+    closed = f"The owners' parts add up to the difference within {remainder} N m."
+    lines = [closed]
+    if d.attribution.cancels:
+        lines.append("Owners work against each other: their parts add up to far more than is left.")
+    return Section(
+        "Whose newton metres", tuple(lines), tuple(table for table in tables if table.rows)
+    )
+
+
+def _term_table(d: Difference, terms: TermAttribution) -> Table:
+    parts = (terms.gravity, terms.coriolis, terms.inertial)
+    rms = np.array([np.sqrt((part.delta**2).mean(axis=0)) for part in parts])
+    rows = (
+        Row((joint.name, *(figures(float(value)) for value in rms[:, i])))
+        for i, joint in enumerate(d.pair.a.joints)
+    )
+    return Table(
+        (
+            Column("joint"),
+            *(Column(f"{name} [N m]", number=True) for name in ("gravity", "Coriolis", "inertial")),
+        ),
+        tuple(rows) if rms.any() else (),
+        title="RMS of each term of the difference",
+        note="Gravity: at rest. Coriolis: speeds alone. Inertial: accelerations alone.",
+    )
+
+
+def _parameter_table(d: Difference, parameters: Attribution) -> Table:
+    rows, note = owner_rows(d, parameters)
+    return Table(
+        (
+            Column("parameter"),
+            Column("weight [%]", number=True),
+            Column("share [%]", number=True),
+            Column("RMS [N m]", number=True),
+            Column("most at joint"),
+        ),
+        rows,
+        title="Parameter by parameter",
+        note=f"In {d.pair.a.name}'s link frames, tensors about their origins. {note}",
+    )

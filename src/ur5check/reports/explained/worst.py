@@ -1,0 +1,87 @@
+"""Worst case: the states within the limits at which the arms disagree most."""
+
+from __future__ import annotations
+
+from ...arm.serial_arm import Joint
+from ...comparison.worst_case import WorstCase
+from ...diagnosis.explanation import Explanation
+from ..document import Column, Row, Section, Table
+from ..wording import MISSING, figures, percent, posture
+
+__all__ = ["worst_section"]
+
+
+def worst_section(e: Explanation) -> Section:
+    """Joint by joint and all together: in motion, then at rest."""
+    joints = e.difference.pair.a.joints
+    moving = [case for case in e.worst if not case.static]
+    resting = [case for case in e.worst if case.static]
+    if not any(case.starts for case in e.worst):
+        said = "Nothing but rounding parts the two arms at any of the random states."
+        return Section("Worst case", (said,))
+    said = "Climbed from the best random states, inside limits of position, speed and acceleration."
+    unit = "N m or N" if any(joint.kind == "prismatic" for joint in joints) else "N m"
+    return Section(
+        "Worst case",
+        (said,),
+        (
+            _table(moving, joints, unit, "In motion", _RANDOM),
+            _motion_table(moving, joints),
+            _table(resting, joints, unit, "At rest: gravity alone"),
+        ),
+    )
+
+
+_RANDOM = "Random: how far the best random state came. All together: root of the sum of squares"
+
+
+def _table(
+    cases: list[WorstCase], joints: tuple[Joint, ...], unit: str, title: str, note: str = ""
+) -> Table:
+    shares = [case for case in cases if case.joint is None and case.effort_share is not None]
+    of = ", each torque as a share of its limit." if shares else " of torques."
+    return Table(
+        (
+            Column("joint"),
+            Column(f"off by [{unit}]", number=True),
+            Column("of limit [%]", number=True),
+            Column("random [%]", number=True),
+            Column("posture [°]"),
+        ),
+        tuple(
+            Row(
+                (
+                    _joint(case, joints),
+                    MISSING if case.unit.startswith("of ") else figures(case.value),
+                    percent(case.effort_share),
+                    percent(case.best_random / case.value if case.starts else None),
+                    posture(case.state["q"], joints) if case.starts else MISSING,
+                )
+            )
+            for case in cases
+        ),
+        title=title,
+        note=f"{note}{of}" if note else "",
+    )
+
+
+def _motion_table(cases: list[WorstCase], joints: tuple[Joint, ...]) -> Table:
+    return Table(
+        (Column("joint"), Column("speeds [°/s]"), Column("accelerations [°/s²]")),
+        tuple(
+            Row(
+                (
+                    _joint(case, joints),
+                    posture(case.state["qd"], joints),
+                    posture(case.state["qdd"], joints),
+                )
+            )
+            for case in cases
+            if case.starts
+        ),
+        title="How the joints move there",
+    )
+
+
+def _joint(case: WorstCase, joints: tuple[Joint, ...]) -> str:
+    return "all together" if case.joint is None else joints[case.joint - 1].name
