@@ -90,7 +90,9 @@ _BLOCK = re.compile(r"```python\n(.*?)```\n", re.S)
 def page() -> str:
     """The whole page."""
     text = TEMPLATE.read_text(encoding="utf-8")
-    text = re.sub(r"«(\w+)»", lambda found: f"{vars(search)[found[1]]:.10f}".rstrip("0").rstrip("."), text)
+    text = re.sub(
+        r"«(\w+)»", lambda found: f"{vars(search)[found[1]]:.10f}".rstrip("0").rstrip("."), text
+    )
     text = text.replace("[[links]]", table(link_rows())).replace("[[arm]]", table(arm_rows()))
     return with_outputs(text)
 

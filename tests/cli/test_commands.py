@@ -75,8 +75,8 @@ def test_validate_exits_with_1_when_a_law_fails(ur5check: Command, tmp_path: Pat
 
 
 def test_diff_exits_as_diff_does(ur5check: Command) -> None:
-    assert ur5check("diff", "paper", "paper", *FEW).code == 0
-    said = ur5check("diff", "paper-listing", "paper", *FEW)
+    assert ur5check("diff", "paper", "paper", *FEW, "--quick").code == 0
+    said = ur5check("diff", "paper-listing", "paper", *FEW, "--quick")
     assert said.code == 1
     assert "\n\nDIFFER: paper-listing and paper ask for different torques" in said.out
 
@@ -85,7 +85,7 @@ def test_diff_exits_as_diff_does(ur5check: Command) -> None:
     ("arguments", "schema"),
     [
         (("validate", "paper", *FEW), "validation"),
-        (("diff", "erd-ur5", "appendix", *FEW), "difference"),
+        (("diff", "erd-ur5", "appendix", *FEW, "--quick"), "difference"),
         (("show", "appendix"), "arm"),
     ],
 )
@@ -97,7 +97,20 @@ def test_formats(ur5check: Command, arguments: tuple[object, ...], schema: str) 
 
 
 def test_a_report_can_be_made_again(ur5check: Command) -> None:
-    given = ("diff", "paper", "appendix", "--samples", 50, "--seed", 3, "--gravity", 0, 0, -1.62)
+    given = (
+        "diff",
+        "paper",
+        "appendix",
+        "--quick",
+        "--samples",
+        50,
+        "--seed",
+        3,
+        "--gravity",
+        0,
+        0,
+        -1.62,
+    )
     first = ur5check(*given, "--arg", "limited:=true", "--format", "json").out
     name, *arguments = json.loads(first)["command"].split()
     assert name == "ur5check"
@@ -105,9 +118,13 @@ def test_a_report_can_be_made_again(ur5check: Command) -> None:
 
 
 def test_gravity_is_used(ur5check: Command) -> None:
-    said = ur5check("diff", "paper", "appendix", *FEW, "--gravity", 0, 0, 0, "--format", "json")
+    said = ur5check(
+        "diff", "paper", "appendix", *FEW, "--quick", "--gravity", 0, 0, 0, "--format", "json"
+    )
     weightless = json.loads(said.out)["torques"]
-    heavy = json.loads(ur5check("diff", "paper", "appendix", *FEW, "--format", "json").out)
+    heavy = json.loads(
+        ur5check("diff", "paper", "appendix", *FEW, "--quick", "--format", "json").out
+    )
     assert weightless[2]["rms"] < heavy["torques"][2]["rms"]
 
 
@@ -116,7 +133,7 @@ def test_base_and_tip_choose_among_branches(ur5check: Command, two_arms: Path) -
     said = ur5check("show", two_arms, "--tip", "left_hand", "--format", "json")
     assert json.loads(said.out)["joints"][0]["name"] == "left_joint"
     said = ur5check(
-        "diff", two_arms, two_arms, *FEW, "--tip-a", "left_hand", "--tip-b", "right_hand"
+        "diff", two_arms, two_arms, *FEW, "--quick", "--tip-a", "left_hand", "--tip-b", "right_hand"
     )
     assert said.code == 0, said.err
     assert ur5check("validate", two_arms, *FEW, "--tip", "right_hand").code == 0

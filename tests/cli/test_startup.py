@@ -45,7 +45,7 @@ def test_only_the_chosen_command_is_imported() -> None:
 
 
 def test_as_a_module(process: Command) -> None:
-    said = process("diff", "paper", "appendix", "--samples", 50)
+    said = process("diff", "paper", "appendix", "--quick", "--samples", 50)
     assert said.code == 1
     assert "DIFFER: " in said.out
     assert process("diff", "paper").code == 2

@@ -132,7 +132,8 @@ def test_what_no_body_has(mass, moments, severity, quantity):
     ],
 )
 def test_without_a_mesh_the_reach_must_do(fault, quantity):
-    found = findings_of(replace(HONEST, **fault), shape=False)
+    end = Transform.translation((0.0, 0.0, 0.5)) @ Transform.from_rpy((0, 0, 0), (0.4, 1.0, -2.0))
+    found = findings_of(replace(HONEST, **fault), far_end=end, shape=False)
     assert kinds(found) == [("suspicious", quantity)]
 
 

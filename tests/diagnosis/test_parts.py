@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import ur5check
+from examples import planar_arm
 from ur5check import strategies
 from ur5check.arm.states import random_states
 from ur5check.comparison.pair import pair_up
@@ -117,6 +118,14 @@ def test_the_story_of_an_honest_difference():
     ]
     lines = told(arm, arm.with_inertias(inertias))
     assert "No single known mistake explains the difference." in lines
+
+
+def test_the_worst_joint_is_named_by_its_own_name():
+    lines = told("paper", "appendix")
+    assert "joint 2 (shoulder)" in lines[-1]
+    pendulum = planar_arm((0.7,), (2.0,))
+    heavier = planar_arm((0.7,), (2.3,))
+    assert "joint 1 (joint_0)" in told(pendulum, heavier)[-1]
 
 
 def test_the_story_of_no_difference():

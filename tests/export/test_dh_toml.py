@@ -49,6 +49,13 @@ def test_any_standard_table_reads_back_as_itself(table):
     assert_same(arm_from_dh('a "quoted" name', named, gravity=(1.0, 2.0, -9.0)))
 
 
+def test_lengths_are_those_of_the_table():
+    body = ur5check.load("paper").links[0].inertia
+    row = DHRow("l", 0.2, -0.3, np.pi / 2, body, "j", offset=0.7)
+    text = dh_toml_of(arm_from_dh("one", [row]))
+    assert "\nd = 0.2\na = -0.3\nalpha = 1.5707963267948966\noffset = 0.7\nmass" in text
+
+
 def test_hand_written_reach_is_kept_where_d_and_a_do_not_give_it():
     text = dh_toml_of(ur5check.load("paper-listing"))
     assert "r = [0.0, 0.089159, 0.0]" in text

@@ -8,6 +8,7 @@ import ur5check
 from ur5check.arm.states import random_states
 from ur5check.checks.validation import Validation, validate_arm
 from ur5check.comparison.difference import Difference
+from ur5check.diagnosis.explanation import Explanation
 from ur5check.engines.pinocchio import PinocchioEngine
 
 SAMPLES = 200
@@ -31,3 +32,8 @@ def failing() -> Validation:
 @pytest.fixture(scope="session", params=[("paper-listing", "paper"), ("erd-ur5", "appendix")])
 def difference(request: pytest.FixtureRequest) -> Difference:
     return ur5check.diff(*request.param, samples=SAMPLES)
+
+
+@pytest.fixture(scope="session")
+def explanation(difference: Difference) -> Explanation:
+    return ur5check.explain(difference)

@@ -14,7 +14,9 @@ import pytest
 
 import ur5check
 from ur5check.checks.validation import Validation
+from ur5check.comparison.attribution_detail import by_parameter
 from ur5check.comparison.difference import Difference
+from ur5check.diagnosis.explanation import Explanation
 from ur5check.reports.json_report import arm_json, difference_json, validation_json
 from ur5check.reports.json_values import json_text
 
@@ -80,6 +82,91 @@ def test_the_worst_state_makes_the_maximum_again(difference: Difference) -> None
             ur5check.rnea(arm, q, qd, qdd) for arm in (difference.pair.a, difference.pair.b)
         )
         assert abs(tau_a - tau_b)[i] == pytest.approx(row["max"], rel=1e-12, abs=1e-12)
+
+
+EXPLAINED = {
+    "attribution",
+    "terms",
+    "identifiability",
+    "error_budget",
+    "worst_case",
+    "diagnosis",
+    "unexplained",
+    "plausibility",
+}
+
+
+def test_a_quick_report_leaves_the_explanation_out(difference: Difference) -> None:
+    assert not EXPLAINED & set(difference_json(difference))
+
+
+def test_the_explanation_comes_whole(explanation: Explanation) -> None:
+    report = read_back(difference_json(explanation.difference, explanation))
+    assert set(report) >= EXPLAINED
+    for key in EXPLAINED:
+        part = {name: value for name, value in report.items() if name != key}
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.Draft202012Validator(SCHEMA).validate(part)
+
+
+def test_owners_and_terms_add_up(explanation: Explanation) -> None:
+    report = read_back(difference_json(explanation.difference, explanation))
+    owners = report["attribution"]
+    assert sum(owner["weight"] for owner in owners) == pytest.approx(1.0)
+    assert sum(owner["share"] for owner in owners) == pytest.approx(1.0)
+    # Of three parts, none can be more than the whole and the two others.
+    whole = np.array(report["error_budget"]["total"])
+    gravity, coriolis, inertial = (np.array(part) for part in report["terms"].values())
+    assert (whole <= gravity + coriolis + inertial + 1e-9).all()
+
+
+def test_every_parameter_has_one_label(explanation: Explanation) -> None:
+    seen = read_back(difference_json(explanation.difference, explanation))["identifiability"]
+    labelled = [*seen["identifiable"], *seen["in_combination"], *seen["invisible"]]
+    assert (seen["columns"], seen["rank"]) == (60, 36)
+    assert len(set(labelled)) == len(labelled) == 60
+    assert len(seen["combinations"]) == 36
+    assert not seen["equivalent"]
+
+
+def test_findings_are_evidence(explanation: Explanation) -> None:
+    report = read_back(difference_json(explanation.difference, explanation))
+    found = report["diagnosis"]
+    assert [finding["before"] for finding in found[1:]] == [f["after"] for f in found[:-1]]
+    assert sum(f["removes"] for f in found) == pytest.approx(1.0, abs=0.15)
+    lost = [f for f in found if f["id"] == "reach-sign"]
+    if explanation.difference.pair.a.name == "paper-listing":
+        assert [(f["side"], f["where"]) for f in lost] == [("a", [2, 3, 5])]
+        assert report["unexplained"] == []
+    else:
+        assert lost == []
+        assert {(u["link"], u["quantity"]) for u in report["unexplained"]} == {
+            (3, "tensor"),
+            (6, "tensor"),
+        }
+
+
+def test_the_worst_case_makes_its_value_again(explanation: Explanation) -> None:
+    d = explanation.difference
+    names = [joint.name for joint in d.pair.a.joints]
+    cases = read_back(difference_json(d, explanation))["worst_case"]
+    assert len(cases) == 2 * (len(names) + 1)
+    for case in cases:
+        if case["joint"] is None:
+            continue
+        q, qd, qdd = (np.array(case["state"][key]) for key in ("q", "qd", "qdd"))
+        tau_a, tau_b = (ur5check.rnea(arm, q, qd, qdd) for arm in (d.pair.a, d.pair.b))
+        assert abs(tau_a - tau_b)[names.index(case["joint"])] == pytest.approx(
+            case["value"], rel=1e-9, abs=1e-9
+        )
+        assert case["static"] is not bool(np.any(qd) or np.any(qdd))
+
+
+def test_parameters_on_demand(difference: Difference) -> None:
+    parameters = by_parameter(difference.pair, difference.states)
+    report = read_back(difference_json(difference, parameters=parameters))
+    assert len(report["by_parameter"]) == 62
+    assert sum(owner["share"] for owner in report["by_parameter"]) == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("name", ["paper", "appendix"])

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 
 from ur5check.checks.validation import Validation
+from ur5check.diagnosis.explanation import Explanation
+from ur5check.reports.difference_document import difference_document
 from ur5check.reports.document import Column, Document, Row, Section, Table
 from ur5check.reports.markdown import render_markdown
 from ur5check.reports.provenance import Provenance
@@ -15,13 +17,24 @@ def unescaped_pipes(line: str) -> int:
     return len(re.findall(r"(?<!\\)\|", line))
 
 
-def test_every_table_is_rectangular(validation: Validation) -> None:
-    text = render_markdown(validation_document(validation))
+def assert_rectangular(text: str, least: int) -> None:
     blocks = [block for block in text.split("\n\n") if block.startswith("|")]
-    assert len(blocks) >= 5
+    assert len(blocks) >= least
     for block in blocks:
         assert len({unescaped_pipes(line) for line in block.splitlines()}) == 1
+
+
+def test_every_table_is_rectangular(validation: Validation) -> None:
+    text = render_markdown(validation_document(validation))
+    assert_rectangular(text, 5)
     assert text.startswith("# Validation of paper against appendix\n\n**PASS: ")
+
+
+def test_an_explanation_is_rectangular_too(explanation: Explanation) -> None:
+    d = explanation.difference
+    text = render_markdown(difference_document(d, explanation, written_out=True))
+    assert_rectangular(text, 12)
+    assert "\n### What torque does see\n" in text
 
 
 def test_hashes_are_whole(validation: Validation) -> None:

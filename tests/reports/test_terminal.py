@@ -10,6 +10,7 @@ from rich.cells import cell_len
 
 from ur5check.checks.validation import Validation
 from ur5check.comparison.difference import Difference
+from ur5check.diagnosis.explanation import Explanation
 from ur5check.reports.difference_document import difference_document
 from ur5check.reports.document import Column, Document, Row, Section, Table
 from ur5check.reports.provenance import Provenance
@@ -52,6 +53,20 @@ def test_failure_has_no_broken_line(failing: Validation, width: int) -> None:
 @pytest.mark.parametrize("width", [80, 100])
 def test_difference_has_no_broken_line(difference: Difference, width: int) -> None:
     assert_whole(difference_document(difference), width)
+
+
+@pytest.mark.parametrize("width", [80, 100])
+def test_explanation_has_no_broken_line(explanation: Explanation, width: int) -> None:
+    assert_whole(difference_document(explanation.difference, explanation, written_out=True), width)
+
+
+def test_the_first_screen_tells_it(explanation: Explanation) -> None:
+    """24 lines of 100 columns: the verdict, the story, and the mistake that costs most."""
+    d = explanation.difference
+    screen = render_text(difference_document(d, explanation), width=100).splitlines()[:24]
+    assert screen[2].startswith("DIFFER: ")
+    dearest = max(explanation.diagnosis.findings, key=lambda f: f.before - f.after)
+    assert any(re.match(rf"\d  {re.escape(dearest.id)} ", line) for line in screen)
 
 
 def test_laws_stand_in_one_line_each_at_100_columns(validation: Validation) -> None:

@@ -79,6 +79,12 @@ def test_mesh_is_scaled_and_its_volume_with_it(tetrahedron):
     assert shape.closed
 
 
+def test_mesh_is_turned_as_its_origin_says(tetrahedron):
+    turned = mesh("t.stl").replace("<geometry>", '<origin rpy="0 0 1.5707963267948966"/><geometry>')
+    shape = only(arm_with(turned, file=str(tetrahedron / "arm.urdf")))
+    np.testing.assert_allclose(shape.bounds, [[-2, 0, 0], [0, 1, 3]], atol=1e-9)
+
+
 def test_surface_that_does_not_close_has_its_hulls_volume(tetrahedron):
     shape = only(arm_with(mesh("open.obj"), file=str(tetrahedron / "arm.urdf")))
     assert not shape.closed

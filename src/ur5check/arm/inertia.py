@@ -109,12 +109,12 @@ class Inertia:
 
     def principal_moments(self) -> Array:
         """Eigenvalues of the tensor, ascending, shape (3,) [kg m²]."""
-        return np.linalg.eigvalsh(self.tensor)
+        return np.asarray(np.linalg.eigvalsh(self.tensor), dtype=np.float64)
 
     def triangle_margin(self) -> float:
         """Smallest of I_a + I_b − I_c over the principal moments [kg m²].
 
-        Negative for no body of positive density (Wensing, Kim & Slotine 2018, eq. 8).
+        Negative for no body of positive density (Wensing, Kim & Slotine 2018).
         """
         moments = self.principal_moments()
         return float(moments[0] + moments[1] - moments[2])

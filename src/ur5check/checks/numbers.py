@@ -63,7 +63,7 @@ BODIES: tuple[Check[Subject], ...] = (
         "body",
         "every link's inertia could belong to a real body",
         "m ≥ 0, I ≥ 0, I_a + I_b ≥ I_c (principal moments)",
-        "Wensing, Kim & Slotine 2018, eq. (8); Traversaro et al. 2016",
+        "Wensing, Kim & Slotine 2018; Traversaro et al. 2016",
         "of the largest moment",
         _PRINTED,
         _bodies,

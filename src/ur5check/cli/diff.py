@@ -29,8 +29,7 @@ EXAMPLES = f"""\
 
 examples:
   ur5check diff paper appendix
-  ur5check diff good.urdf suspect.urdf --mend mended.urdf
-  ur5check diff old.urdf new.urdf --tip-a tool0 --tip-b tool0 --format json -o diff.json
+  ur5check diff good.urdf suspect.urdf --tip-a tool0 --tip-b tool0 --mend mended.urdf -o diff.md
 """
 
 

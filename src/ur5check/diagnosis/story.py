@@ -73,8 +73,8 @@ def _worst(explanation: Explanation) -> str:
         return ""
     posture = " ".join(f"{angle:.0f}" for angle in np.degrees(worst.state["q"]))
     share = "" if worst.effort_share is None else f", {worst.effort_share:.0%} of its limit"
-    name = difference.pair.a.joints[joint].name
+    name = difference.pair.a.joints[joint - 1].name
     return (
-        f"Worst within limits: joint {joint + 1} ({name}) is {worst.value:.3g} N m off{share}, "
+        f"Worst within limits: joint {joint} ({name}) is {worst.value:.3g} N m off{share}, "
         f"at q = ({posture})°."
     )

@@ -55,7 +55,7 @@ def coriolis_matrix(arm: SerialArm, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]
     q, qd : array-like, shape (..., n) [rad], [rad/s]; real or complex.
     Raises StateError for arrays that are not of shape (..., n) and finite, or do not broadcast.
 
-    References: Siciliano et al., Robotics (2009), eqs 7.44–7.46 (the symbols and the skewness).
+    References: Siciliano et al., Robotics (2009), ch. 7 (the symbols and the skewness).
     """
     chain = chain_of(arm)
     return evaluate(

@@ -8,7 +8,7 @@ acceleration of frame i's origin less gravity, the link asks of its joint side, 
     n = (m c) × a + I_o α + ω × I_o ω
 
 which is linear in (m, m c, I_o) by inspection (Khalil & Dombre, Modeling, Identification and
-Control of Robots, 2002, §9.5).  Each parameter's wrench then travels down the arm as eqs (14) and
+Control of Robots, 2002, ch. 9).  Each parameter's wrench then travels down the arm as eqs (14) and
 (15) of the paper carry f and τ.
 """
 

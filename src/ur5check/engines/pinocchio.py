@@ -91,9 +91,10 @@ class PinocchioEngine:
         """
         rates = (self._velocity(qd), self._velocity(qdd))
         three = pin.computeRNEADerivatives(self.model, self.data, self._configuration(q), *rates)
-        slopes = [np.reshape(part, (self.model.nv, -1)) for part in three]
-        slope = np.hstack([part[self._rates][:, self._rates] for part in slopes])
-        return np.asarray(self.data.tau)[self._rates], slope
+        tau, slopes = np.array(self.data.tau), np.reshape(three, (3, self.model.nv, -1))
+        if self._rates != list(range(self.arm.n)):
+            tau, slopes = tau[self._rates], slopes[:, self._rates][:, :, self._rates]
+        return tau, np.hstack(list(slopes))
 
     def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
         """Accelerations from `pin.aba`."""

@@ -15,7 +15,9 @@ def digits_section(e: Explanation) -> Section:
     budget, joints = e.budget, e.difference.pair.a.joints
     names = {"a": e.difference.pair.a.name, "b": e.difference.pair.b.name}
     worst = int(budget.remainder.argmax())
-    if budget.digits_suffice:
+    if e.difference.agrees:
+        said = "There is no difference for digits to explain."
+    elif budget.digits_suffice:
         said = "Digits alone explain the difference: nothing is left to be explained."
     else:
         said = (
