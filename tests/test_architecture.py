@@ -18,19 +18,29 @@ MAY_IMPORT = {
     "errors": set(),
     "version": set(),
     "arm": {"errors"},
+    "strategies": {"arm"},
+    "export": {"arm", "errors", "version"},
     "sources": {"arm", "errors"},
     "dynamics": {"arm", "errors"},
     "engines": {"arm", "dynamics", "errors", "version"},
-    "comparison": {"arm", "dynamics", "sources", "engines", "errors"},
-    "diagnosis": {"arm", "dynamics", "comparison", "errors"},
-    "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
-    "export": {"arm", "errors", "version"},
-    "reports": {"arm", "sources", "comparison", "diagnosis", "checks", "errors", "version"},
-    "cli": {
-        "arm", "sources", "engines", "comparison", "diagnosis", "checks", "export", "reports",
-        "errors", "version",
+    "comparison": {"arm", "dynamics", "sources", "errors"},
+    "plausibility": {"arm", "sources"},
+    "identifiability": {"arm", "dynamics", "comparison", "errors"},
+    "digits": {"arm", "dynamics", "comparison"},
+    "diagnosis": {"arm", "dynamics", "comparison"},
+    "worst_case": {"arm", "dynamics", "comparison", "engines", "errors"},
+    "explanation": {
+        "arm", "comparison", "plausibility", "identifiability", "digits", "diagnosis", "worst_case",
     },
-    "strategies": {"arm"},
+    "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
+    "reports": {
+        "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
+        "worst_case", "explanation", "checks", "errors", "version",
+    },
+    "cli": {
+        "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "checks", "export",
+        "reports", "errors", "version",
+    },
 }  # fmt: skip
 
 #: Third-party engines, and the files that may import them.

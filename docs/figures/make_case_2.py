@@ -112,8 +112,8 @@ def main() -> None:
     figure.savefig(HERE / "case-2.svg", metadata={"Date": None})
     figure.savefig(HERE / "case-2.png", dpi=110)
     amplitudes = (float(np.abs(curve).max()) for curve in (case.listing, case.paper, case.appendix))
-    print("amplitudes [N m]: listing {:.2f}, paper {:.2f}, appendix {:.2f}".format(*amplitudes))  # noqa: T201
-    print(f"listing over paper: {1 + case.excess():.4f}, opposed: {case.opposed()}")  # noqa: T201
+    print("amplitudes [N m]: listing {:.2f}, paper {:.2f}, appendix {:.2f}".format(*amplitudes))
+    print(f"listing over paper: {1 + case.excess():.4f}, opposed: {case.opposed()}")
 
 
 if __name__ == "__main__":

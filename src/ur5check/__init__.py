@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from .arm.serial_arm import SerialArm
     from .checks.validation import validate
     from .comparison.difference import diff
-    from .diagnosis.explanation import explain
     from .dynamics.equations import (
         coriolis_matrix,
         forward_dynamics,
@@ -30,13 +29,14 @@ if TYPE_CHECKING:
     from .dynamics.kinematics import forward_kinematics
     from .dynamics.newton_euler import rnea
     from .dynamics.regressor import torque_regressor
+    from .explanation.explanation import explain
     from .sources.loading import load
 
 _HOMES = {
     "SerialArm": ".arm.serial_arm",
     "coriolis_matrix": ".dynamics.equations",
     "diff": ".comparison.difference",
-    "explain": ".diagnosis.explanation",
+    "explain": ".explanation.explanation",
     "forward_dynamics": ".dynamics.equations",
     "forward_kinematics": ".dynamics.kinematics",
     "gravity_torque": ".dynamics.equations",

@@ -13,7 +13,7 @@ import pytest
 from ur5check.cli.mending import mend
 from ur5check.comparison.difference import diff
 from ur5check.diagnosis.diagnosis import diagnose
-from ur5check.diagnosis.explanation import Explanation, explain
+from ur5check.explanation.explanation import Explanation, explain
 
 if TYPE_CHECKING:
     from .conftest import Command

@@ -14,11 +14,11 @@ from examples import planar_arm
 from ur5check import strategies
 from ur5check.arm.states import random_states
 from ur5check.comparison.pair import pair_up
-from ur5check.diagnosis import story
 from ur5check.diagnosis.body import Scene, body_of, with_body
 from ur5check.diagnosis.catalogue import CATALOGUE
 from ur5check.diagnosis.convention import read_by_the_other_rule
 from ur5check.diagnosis.cylinder import Cylinder, fit_cylinder
+from ur5check.explanation import story
 
 
 @given(strategies.arms(max_joints=4), st.data())

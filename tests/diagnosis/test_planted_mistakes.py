@@ -226,10 +226,13 @@ def measured_again(arm, rng, level):
     return replace(arm, links=tuple(links))
 
 
-@pytest.mark.parametrize("name", ARMS)
+HONEST = {**ARMS, "paper": ur5check.load("paper"), "erd": ur5check.load("erd-ur5")}
+
+
+@pytest.mark.parametrize("name", HONEST)
 @pytest.mark.parametrize("level", [0.01, 0.03, 0.05])
 def test_honest_measurement_is_no_mistake(name, level):
-    arm, rng = ARMS[name], np.random.default_rng(7)
+    arm, rng = HONEST[name], np.random.default_rng(7)
     for _ in range(10):
         found = first_answer(arm, measured_again(arm, rng, level))
         assert not found.findings

@@ -33,7 +33,8 @@ def test_two_rods_have_the_mass_matrix_of_the_textbook():
 
 
 def test_two_rods_have_the_christoffel_matrix_of_the_textbook():
-    # Siciliano et al. 2009, ch. 7, two-link arm: C = h [[q̇2, q̇1 + q̇2], [−q̇1, 0]], h = −m2 l1 l2 sin q2.
+    # Siciliano et al. 2009, ch. 7, two-link arm: C = h [[q̇2, q̇1 + q̇2], [−q̇1, 0]] with
+    # h = −m2 l1 l2 sin q2.
     (l1, l2), (m1, m2) = (0.5, 0.3), (3.0, 2.0)
     arm = planar_arm((l1, l2), (m1, m2))
     q, qd = np.column_stack([Q, Q * 0.4]), np.column_stack([Q * 0.3, 1.0 - Q])

@@ -8,8 +8,8 @@ import ur5check
 from ur5check.arm.states import random_states
 from ur5check.checks.validation import Validation, validate_arm
 from ur5check.comparison.difference import Difference
-from ur5check.diagnosis.explanation import Explanation
 from ur5check.engines.pinocchio import PinocchioEngine
+from ur5check.explanation.explanation import Explanation
 
 SAMPLES = 200
 

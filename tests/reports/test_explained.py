@@ -10,8 +10,8 @@ import ur5check
 from ur5check.comparison.attribution_detail import by_parameter
 from ur5check.comparison.difference import Difference
 from ur5check.diagnosis.diagnosis import diagnose
-from ur5check.diagnosis.explanation import Explanation
-from ur5check.diagnosis.story import removed
+from ur5check.explanation.explanation import Explanation
+from ur5check.explanation.story import removed
 from ur5check.reports.difference_document import difference_document
 from ur5check.reports.document import Document, Section, Table
 from ur5check.reports.explained.findings import findings_section

@@ -16,7 +16,7 @@ import ur5check
 from ur5check.checks.validation import Validation
 from ur5check.comparison.attribution_detail import by_parameter
 from ur5check.comparison.difference import Difference
-from ur5check.diagnosis.explanation import Explanation
+from ur5check.explanation.explanation import Explanation
 from ur5check.reports.json_report import arm_json, difference_json, validation_json
 from ur5check.reports.json_values import json_text
 

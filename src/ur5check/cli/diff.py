@@ -67,7 +67,7 @@ def run(args: argparse.Namespace) -> int:
     from ..arm.states import MAX_ACCELERATION
     from ..comparison.attribution_detail import by_parameter
     from ..comparison.difference import diff
-    from ..diagnosis.explanation import explain
+    from ..explanation.explanation import explain
     from ..reports.difference_document import difference_document
     from ..reports.json_report import difference_json
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ..diagnosis.diagnosis import Diagnosis, Finding
-from ..diagnosis.explanation import Explanation
+from ..explanation.explanation import Explanation
 from ..export.urdf import urdf_of
 from .output import emit
 

@@ -110,15 +110,17 @@ def _other_frame(scene: Scene, i: int) -> Iterator[Remedy]:
 
 
 def _middle_of_shape(scene: Scene, i: int) -> Iterator[Remedy]:
-    """A centre that is the middle of a cylinder, not a measured one.
+    """A centre that is a point of the link's shape, not a measured one.
 
     Two models that differ by a few per cent here may both be measured: only a centre that is off by
     more than any measurement is put down to this.
     """
     body, truth = scene.bodies[i], scene.truth[i].com
     apart = float(np.linalg.norm(body.com - truth))
+    size = max(float(np.linalg.norm(other.reach)) for other in scene.bodies)
+    far = max(float(np.linalg.norm(body.com)), float(np.linalg.norm(truth)))
     fitted = fit_cylinder(body.mass, body.tensor)
-    if fitted is None or apart < 0.15 * max(np.linalg.norm(body.com), np.linalg.norm(truth)):
+    if fitted is None or apart < max(0.15 * far, 0.03 * size):
         return
     half = 0.5 * fitted.length * np.eye(3)[fitted.axis]
     middles = {
@@ -233,7 +235,7 @@ def _cylinder(field: str, factors: tuple[float, ...]) -> Mistake:
         f"cylinder-{field}",
         "tensor",
         f"the cylinder's {field} is wrong by a factor",
-        f"compute the tensor from the {field} in metres, radius not diameter",
+        "compute the tensor from radius (not diameter) and length, in metres",
         remedies,
     )
 
@@ -303,7 +305,7 @@ CATALOGUE: tuple[Mistake, ...] = (
     _swapped_axes("centre"),
     _scaled("centre", "the centre of mass is in another unit", "write metres"),
     _exchanged("centre"),
-    Mistake("centre-of-shape", "centre", "the centre of mass is the middle of a cylinder",
+    Mistake("centre-of-shape", "centre", "the centre of mass is a point of its cylinder",
             "give the measured centre, if there is one", _middle_of_shape, alone=True),
     Mistake("tensor-not-rotated", "tensor", "the tensor is in another frame's axes",
             "rotate it, I = R I Rᵀ", _not_rotated),

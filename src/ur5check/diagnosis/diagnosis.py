@@ -153,7 +153,7 @@ class _Course:
                 self.left,
                 after,
                 max(e.verdict.choices for e in group),
-                first.equals,
+                tuple(other for other in first.equals if all(other in e.equals for e in group)),
                 details,
             )
         )

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arm.serial_arm import SerialArm
 from ..comparison.pair import Pair, Side, pair_as_written, pair_up
 from ..comparison.walk import NEAR_ANGLE
 from .body import Body, Scene
@@ -81,13 +82,17 @@ class Reading:
 def best_reading(pair: Pair) -> Reading:
     """The reading of a pair that asks us to believe least."""
     readings = [_read(pair)]
+    others: list[tuple[Side, SerialArm, SerialArm]]
     if readings[0].moved_joints:
         readings.append(_read(pair_as_written(pair.a, pair.given_b)))
-    if readings[0].unexplained or readings[0].moved_joints:
-        for other in read_by_the_other_rule(pair.given_b):
-            readings.append(_read(pair_up(pair.a, other), "b"))
-        for other in read_by_the_other_rule(pair.a):
-            readings.append(_read(pair_up(other, pair.given_b), "a"))
+    if readings[0].moved_joints or not pair.alignment.exact:
+        others = [("b", pair.a, other) for other in read_by_the_other_rule(pair.given_b)]
+        others += [("a", other, pair.given_b) for other in read_by_the_other_rule(pair.a)]
+        for side, a, b in others:
+            turned = _read(pair_up(a, b), side)
+            # The other rule is believed only where it puts every axis in its place as it stands.
+            if turned.pair.alignment.exact and not turned.moved_joints:
+                readings.append(turned)
     return min(readings, key=lambda reading: reading.cost)
 
 

@@ -150,9 +150,13 @@ class PinocchioEngine:
         return self._each(regressor, (self.arm.n, 10 * self.arm.n), q, qd, qdd)
 
     def _frame(self, name: str) -> int:
-        if not self.model.existFrame(name):
-            raise EngineError(f"Pinocchio's model of {self.arm.name!r} has no frame {name!r}")
-        return int(self.model.getFrameId(name))
+        # A URDF may give a link and a joint the same name: the link's frame is meant.
+        for kind in (pin.FrameType.BODY, pin.FrameType.OP_FRAME):
+            if self.model.existFrame(name, kind):
+                return int(self.model.getFrameId(name, kind))
+        if self.model.existFrame(name):
+            return int(self.model.getFrameId(name))
+        raise EngineError(f"Pinocchio's model of {self.arm.name!r} has no frame {name!r}")
 
     def _configuration(self, q: Array) -> Array:
         """The arm's q as Pinocchio's: a continuous joint holds (cos q, sin q)."""

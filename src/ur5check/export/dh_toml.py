@@ -51,7 +51,7 @@ def _row(arm: SerialArm, joint: Joint, link: Link) -> list[str]:
     if abs(R[2, 0]) > _ROUNDING:
         _refuse(arm, f"the next joint's axis is reached from {link.name!r} by more than one angle")
     offset, alpha = float(np.arctan2(R[1, 0], R[0, 0])), float(np.arctan2(R[2, 1], R[2, 2]))
-    a, d = float(R[:, 0] @ p), float(p[2])
+    a, d = as_written(float(R[:, 0] @ p), _ROUNDING * float(np.abs(p).max())), float(p[2])
     lines = [f"joint = {_text(joint.name)}", f"link = {_text(link.name)}"]
     lines += ['kind = "prismatic"'] if joint.kind == "prismatic" else []
     lines += [f"d = {exact(d)}", f"a = {exact(a)}", f"alpha = {exact(alpha)}"]

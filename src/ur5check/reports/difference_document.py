@@ -5,8 +5,8 @@ from __future__ import annotations
 from ..comparison.attribution import Attribution
 from ..comparison.difference import Difference
 from ..comparison.story import tell as tell_difference
-from ..diagnosis.explanation import Explanation
-from ..diagnosis.story import tell as tell_explanation
+from ..explanation.explanation import Explanation
+from ..explanation.story import tell as tell_explanation
 from .document import Document, Section, Verdict
 from .explained.bodies import bodies_section
 from .explained.digits import digits_section

@@ -8,13 +8,13 @@ from dataclasses import asdict
 import numpy as np
 
 from ..comparison.attribution import Attribution
-from ..comparison.error_budget import ErrorBudget
 from ..comparison.pair import Side
-from ..comparison.plausible_body import Plausibility
-from ..comparison.worst_case import WorstCase
 from ..diagnosis.diagnosis import Diagnosis
-from ..diagnosis.explanation import Explanation
-from ..diagnosis.story import removed, tell
+from ..digits.error_budget import ErrorBudget
+from ..explanation.explanation import Explanation
+from ..explanation.story import removed, tell
+from ..plausibility.plausible_body import Plausibility
+from ..worst_case.worst_case import WorstCase
 from .json_values import Report
 
 __all__ = ["attribution_value", "explanation_value"]

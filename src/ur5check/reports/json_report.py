@@ -13,7 +13,7 @@ from ..checks.validation import Validation
 from ..comparison.attribution import Attribution
 from ..comparison.difference import Difference
 from ..comparison.story import tell as tell_difference
-from ..diagnosis.explanation import Explanation
+from ..explanation.explanation import Explanation
 from .explanation_json import attribution_value, explanation_value
 from .json_values import Report, inertia_value, joint_value, model_value, strict
 from .provenance import Provenance, inputs_of

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...comparison.plausible_body import Plausibility, Severity
-from ...diagnosis.explanation import Explanation
+from ...explanation.explanation import Explanation
+from ...plausibility.plausible_body import Plausibility, Severity
 from ..document import Column, Row, Section, Table
 from ..wording import figures
 

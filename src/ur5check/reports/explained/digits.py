@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...comparison.error_budget import BudgetItem
-from ...diagnosis.explanation import Explanation
+from ...digits.error_budget import BudgetItem
+from ...explanation.explanation import Explanation
 from ..document import Column, Row, Section, Table
 from ..wording import figures, residue
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ...comparison.story import listed
 from ...diagnosis.diagnosis import Diagnosis, Finding
-from ...diagnosis.explanation import Explanation
-from ...diagnosis.story import removed
+from ...explanation.explanation import Explanation
+from ...explanation.story import removed
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures, residue
 

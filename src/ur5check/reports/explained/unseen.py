@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...arm.inertia import PARAMETERS
-from ...comparison.identifiability import Identifiability, Label
-from ...diagnosis.explanation import Explanation
+from ...explanation.explanation import Explanation
+from ...identifiability.identifiability import Identifiability, Label
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures, residue
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...arm.serial_arm import Joint
-from ...comparison.worst_case import WorstCase
-from ...diagnosis.explanation import Explanation
+from ...explanation.explanation import Explanation
+from ...worst_case.worst_case import WorstCase
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures, percent, posture
 

@@ -12,11 +12,11 @@ import ur5check
 from examples import random_arm
 from ur5check.arm import Inertia, Transform
 from ur5check.arm.states import random_states
-from ur5check.comparison.cylinder_constant import cut_twelfths
-from ur5check.comparison.decimals import decimals_of, half_units, written_as
-from ur5check.comparison.error_budget import budget
 from ur5check.comparison.pair import pair_up
-from ur5check.comparison.rounded_angles import rounded_angles, with_exact_angles
+from ur5check.digits.cylinder_constant import cut_twelfths
+from ur5check.digits.decimals import decimals_of, half_units, written_as
+from ur5check.digits.error_budget import budget
+from ur5check.digits.rounded_angles import rounded_angles, with_exact_angles
 
 STATES = random_states(6, 200, seed=0)
 PAPER, APPENDIX = ur5check.load("paper"), ur5check.load("appendix")

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arm.serial_arm import SerialArm
+from ..comparison.pair import Side
 from .cylinder_constant import cut_twelfths, with_exact_twelfth
 from .decimals import Writing, written_as
-from .pair import Side
 from .rounded_angles import rounded_angles, with_exact_angles
 
 __all__ = ["GRAVITY", "STEPS", "Arms", "Correction"]

@@ -14,10 +14,10 @@ import numpy as np
 
 from ..arm.states import MAX_ACCELERATION, States
 from ..arm.transforms import Array
+from ..comparison.pair import Pair
 from ..dynamics.newton_euler import rnea
 from ..errors import UsageError
 from .ascent import Ascent, Gain, Gap, joint_gain, squared_sum
-from .pair import Pair
 from .state_box import StateBox, effort_limits, state_box
 
 __all__ = ["WorstCase", "worst_cases"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..comparison import story as difference_story
-from .diagnosis import Diagnosis, Finding
+from ..diagnosis.diagnosis import Diagnosis, Finding
 from .explanation import Explanation
 
 __all__ = ["tell"]

@@ -20,8 +20,8 @@ from scipy.optimize import Bounds, minimize
 
 from ..arm.serial_arm import SerialArm, Source
 from ..arm.transforms import Array
+from ..comparison.pair import Pair
 from ..engines.pinocchio import PinocchioEngine
-from .pair import Pair
 
 __all__ = ["Ascent", "Gap", "joint_gain", "squared_sum"]
 

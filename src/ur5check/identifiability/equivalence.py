@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike
 
 from ..arm.states import States
 from ..arm.transforms import Array
+from ..comparison.pair import Pair
 from ..dynamics.newton_euler import rnea
 from ..dynamics.regressor import torque_regressor
 from .identifiability import Identifiability, identify
-from .pair import Pair
 
 __all__ = ["TOLERANCE", "Equivalence", "VisibleSplit", "equivalence", "split"]
 

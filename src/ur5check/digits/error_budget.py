@@ -21,11 +21,11 @@ import numpy as np
 from ..arm.serial_arm import SerialArm
 from ..arm.states import States
 from ..arm.transforms import Array
+from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
+from ..comparison.pair import Pair, Side
 from ..dynamics.newton_euler import rnea
 from ..dynamics.regressor import torque_regressor
-from .alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
 from .corrections import STEPS, Arms
-from .pair import Pair, Side
 from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
 
 __all__ = ["BudgetItem", "ErrorBudget", "budget"]

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from ..arm.states import MAX_ACCELERATION, States
 from ..comparison.attribution_detail import TermAttribution, by_term
 from ..comparison.difference import Difference
-from ..comparison.equivalence import Equivalence, equivalence
-from ..comparison.error_budget import ErrorBudget, budget
-from ..comparison.identifiability import Identifiability, identify
-from ..comparison.plausibility import Plausibility, plausibility
-from ..comparison.worst_case import WorstCase, worst_cases
-from .diagnosis import Diagnosis, diagnose
+from ..diagnosis.diagnosis import Diagnosis, diagnose
+from ..digits.error_budget import ErrorBudget, budget
+from ..identifiability.equivalence import Equivalence, equivalence
+from ..identifiability.identifiability import Identifiability, identify
+from ..plausibility.plausibility import Plausibility, plausibility
+from ..worst_case.worst_case import WorstCase, worst_cases
 
 __all__ = ["Explanation", "explain"]
 

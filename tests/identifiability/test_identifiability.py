@@ -15,11 +15,11 @@ from ur5check import strategies
 from ur5check.arm import DHRow, Inertia, Joint, Link, SerialArm, Transform, arm_from_dh
 from ur5check.arm.states import random_states
 from ur5check.comparison.difference import SAME_TORQUE
-from ur5check.comparison.equivalence import TOLERANCE, equivalence, split
-from ur5check.comparison.identifiability import CERTAIN_GAP, WEAKEST, identify
 from ur5check.comparison.pair import pair_up
 from ur5check.dynamics.newton_euler import rnea
 from ur5check.dynamics.regressor import torque_regressor
+from ur5check.identifiability.equivalence import TOLERANCE, equivalence, split
+from ur5check.identifiability.identifiability import CERTAIN_GAP, WEAKEST, identify
 
 BODY = Inertia(2.0, np.array([0.1, 0.02, 0.03]), np.diag([0.1, 0.2, 0.25]))
 L1, L2 = 0.5, 0.3

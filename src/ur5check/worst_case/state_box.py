@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arm.states import MAX_ANGLE, MAX_RATE, States
 from ..arm.transforms import Array
-from .pair import Pair
+from ..comparison.pair import Pair
 
 __all__ = ["StateBox", "effort_limits", "state_box"]
 

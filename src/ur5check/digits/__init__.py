@@ -1,0 +1,1 @@
+"""What rounded digits cost: angles, constants, and every number that is printed short."""

@@ -1,0 +1,1 @@
+"""The states where two arms disagree most, inside their limits."""
