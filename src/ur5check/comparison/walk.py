@@ -34,6 +34,8 @@ __all__ = ["NEAR_ANGLE", "NEAR_LENGTH", "Walk", "as_written", "met_at_the_tool",
 NEAR_LENGTH = 1e-3  # [m]
 NEAR_ANGLE = 1e-3  # [rad]
 
+_NOTHING = 1e-9  # [m] or [rad]: rounding of a product of transforms
+
 
 @dataclass(frozen=True, eq=False)
 class Slack:
@@ -145,37 +147,60 @@ def _turns(
     if joint.kind == "prismatic" and i > 0:
         direction = walk.here.R @ joint.axis
         slack = walk.slack.with_slide(direction, i)
-        yield from _arrived(a, b, replace(walk, slack=slack), i, 0.0, targets)
+        yield _arrived(a, b, replace(walk, slack=slack), i, 0.0, targets)
         return
-    back = walk.here.inverse()
-    ahead = Transform.identity()
+    angles, certain = _zeros(a, b, walk, i, targets)
+    for angle in angles:
+        yield _arrived(a, b, walk, i, angle, targets)
+    if not certain:
+        sentence = (
+            f"the zero of joint {i + 1} ({a.joints[i].name}): it turns about the axis of the next, "
+            "only their sum shows"
+        )
+        unsure = replace(walk, unknown=(*walk.unknown, sentence))
+        yield _arrived(a, b, unsure, i, 0.0, targets)
+
+
+def _zeros(
+    a: SerialArm, b: SerialArm, walk: Walk, i: int, targets: list[Transform]
+) -> tuple[list[float], bool]:
+    """Angles of joint i that may bring what follows into place, and whether one of them must.
+
+    A following axis that points elsewhere shows the angle, either way round; one that is parallel
+    shows it by where it stands.  A lever of less than a milliradian or a millimetre shows it badly
+    and may be a rounded digit: such angles are offered, and the axes that follow decide.
+    """
+    axis, back, ahead = b.joints[i].axis, walk.here.inverse(), Transform.identity()
+    angles: list[float] = []
     for k in range(i + 1, b.n):
         ahead = ahead @ b.links[k - 1].far_end
-        d, t = ahead.R @ b.joints[k].axis, back.R @ (targets[k].R @ a.joints[k].axis)
-        d_across, t_across = across(d, joint.axis), across(t, joint.axis)
-        if np.linalg.norm(d_across) > NEAR_ANGLE and np.linalg.norm(t_across) > NEAR_ANGLE:
-            for sign in (1.0, -1.0):
-                angle = angle_about(joint.axis, d_across, sign * t_across)
-                yield from _arrived(a, b, walk, i, angle, targets)
-            return
-        if b.joints[k].kind == "prismatic":
-            continue  # parallel, and nowhere in particular: look further along
-        r = across(ahead.p, joint.axis)
-        s = across(back.R @ targets[k].p + back.p, joint.axis)
-        if joint.kind == "revolute" and min(np.linalg.norm(r), np.linalg.norm(s)) > NEAR_LENGTH:
-            yield from _arrived(a, b, walk, i, angle_about(joint.axis, r, s), targets)
-            return
-        break
-    sentence = (
-        f"the zero of joint {i + 1} ({a.joints[i].name}): it turns about the axis of the next, "
-        "only their sum shows"
-    )
-    yield from _arrived(a, b, replace(walk, unknown=(*walk.unknown, sentence)), i, 0.0, targets)
+        standing = b.joints[i].kind == b.joints[k].kind == "revolute"
+        r, s = across(ahead.p, axis), across(back.R @ targets[k].p + back.p, axis)
+        lever = _shorter(r, s) if standing else 0.0
+        if lever > 0.0:
+            by_place = [angle_about(axis, r, s)]
+        d = across(ahead.R @ b.joints[k].axis, axis)
+        t = across(back.R @ (targets[k].R @ a.joints[k].axis), axis)
+        slant = _shorter(d, t)
+        by_direction = [angle_about(axis, d, sign * t) for sign in (1.0, -1.0)]
+        if slant > NEAR_ANGLE:
+            return [*angles, *by_direction], True
+        if lever > NEAR_LENGTH:
+            return [*angles, *by_place, *(by_direction if slant > _NOTHING else [])], True
+        angles += by_place if lever > _NOTHING else []
+        angles += by_direction if slant > _NOTHING else []
+        if b.joints[k].kind == "revolute":
+            break  # a parallel slide stands nowhere in particular: look further along; else stop
+    return angles, False
+
+
+def _shorter(u: Array, v: Array) -> float:
+    return min(float(np.linalg.norm(u)), float(np.linalg.norm(v)))
 
 
 def _arrived(
     a: SerialArm, b: SerialArm, walk: Walk, i: int, angle: float, targets: list[Transform]
-) -> Iterator[Walk]:
+) -> Walk:
     """The walk at joint i + 1, with the sign that its axis turned out to have.
 
     What joint 1 had to turn, the base turns instead: the axis is the same.
@@ -184,7 +209,7 @@ def _arrived(
     here = walk.here @ moved @ b.links[i].far_end
     along = (here.R @ b.joints[i + 1].axis) @ (targets[i + 1].R @ a.joints[i + 1].axis)
     sign = 1.0 if along >= 0.0 else -1.0
-    yield replace(
+    return replace(
         walk,
         here=here,
         signs=(*walk.signs, sign),
