@@ -21,12 +21,10 @@ Array = NDArray[np.float64]
 _ROBOTS = {
     "ur3": ("ur_description/urdf/ur3_robot.urdf", None),
     "ur5": ("ur_description/urdf/ur5_robot.urdf", None),
-    "ur5-gripper": ("ur_description/urdf/ur5_gripper.urdf", "tool0"),
     "ur10": ("ur_description/urdf/ur10_robot.urdf", None),
     "panda": ("panda_description/urdf/panda.urdf", "panda_hand"),
     "kinova": ("kinova_description/robots/kinova.urdf", None),
     "xarm7": ("xarm_description/urdf/xarm7.urdf", None),
-    "z1": ("z1_description/urdf/z1.urdf", None),
 }
 
 _CHAINS = ("chain-4", "chain-5-modified", "chain-8-standard")

@@ -34,6 +34,7 @@ from mutations import (
     WHOLE_ARM,
     Planting,
     in_space,
+    only_moves_the_next_joint,
     plantings,
     same_inertias,
     same_motion,
@@ -150,7 +151,7 @@ def measure(
             (tuple(turn.tolist()), mistake) for turn, mistake in zip(turns, mistakes, strict=True)
         ]
     plant = partial(_cases, seed=seed, once=quick)
-    with_lengths = max(1, clean // 10) if clean else 0
+    with_lengths = (clean + 9) // 10
     numbers = range(clean + with_lengths)
     look = partial(_clean, seed=seed, arms=tuple(arms), without_lengths=clean)
     if jobs > 1:
@@ -188,7 +189,7 @@ def _cases(work: tuple[tuple[str, ...], str], *, seed: int, once: bool) -> list[
             ways = list(plantings(mistake, arm, link))
             if ways:
                 planting = ways[int(rng.integers(len(ways)))]
-                ties = tuple(sorted(_ties(name, seed, planting)))
+                ties = tuple(sorted({*_ties(name, seed, planting)} - {mistake}))
                 for noise in (0.0, NOISE):
                     spoiled = planting.arm
                     if noise:
@@ -277,6 +278,8 @@ def _ties(name: str, seed: int, planting: Planting) -> Iterator[str]:
                 yield other
     elif planting.mistake in (*GEOMETRY, *WHOLE_ARM):
         here = in_space(spoiled)
+        if planting.links and only_moves_the_next_joint(arm, planting):
+            yield "zero-shifted"
         for other, there in _moved_arms(name, seed):
             if other != planting.mistake and same_motion(here, there):
                 yield other
@@ -323,8 +326,10 @@ def tables(report: dict[str, Any]) -> str:
     for which in ("", ", 1 % noise"):
         heads += [f"{word}{which}" for word in ("detected", "named", "or equal", "or tied")]
     lines = ["| " + " | ".join(heads) + " |", "|---|" + "---:|" * (len(heads) - 1)]
-    for mistake in dict.fromkeys(case["mistake"] for case in cases):
-        lines.append(_row(mistake, [case for case in cases if case["mistake"] == mistake]))
+    for mistake in MISTAKES:
+        some = [case for case in cases if case["mistake"] == mistake]
+        if some:
+            lines.append(_row(mistake, some))
     lines.append(_row("**all**", cases))
     alone = [case for case in cases if not case["ties"]]
     lines += [_row("**all without ties**", alone), "", _rest(report)]
@@ -432,7 +437,8 @@ digits, as the benchmark finds by planting all of them. A tensor whose frame was
 with two axes exchanged are the same numbers where the frames differ by a quarter turn, and nobody
 can tell which mistake was made. **Tied** counts such cases; the last row leaves them out. Ties are
 sought from the right arm to the spoiled one and back: a tensor about the origin looks like another
-one from which parallel axes were taken off.
+one from which parallel axes were taken off. A twist about the next joint's own axis is that joint's
+zero, whatever its size.
 
 **Noise**: every mass, component of a centre and entry of a tensor that was not planted is
 multiplied by 1 + U(−0.01, 0.01); the planted numbers keep their exact relation to the truth, and

@@ -29,6 +29,7 @@ __all__ = [
     "Written",
     "in_space",
     "is_nothing",
+    "only_moves_the_next_joint",
     "plantings",
     "same_inertias",
     "same_motion",
@@ -735,6 +736,19 @@ def same_inertias(one: SerialArm, other: SerialArm, places: Sequence[int]) -> bo
         and _close(written(one.links[i]).com, written(other.links[i]).com, _SAME)
         for i in places
     )
+
+
+def only_moves_the_next_joint(arm: SerialArm, planting: Planting) -> bool:
+    """Whether a link's changed geometry is nothing but another zero of the joint after it."""
+    i = planting.links[0]
+    if i == arm.n or planting.mistake.split("-")[0] not in ("reach", "turn"):
+        return False
+    change = arm.links[i - 1].far_end.inverse() @ planting.arm.links[i - 1].far_end
+    axis = arm.joints[i].axis
+    if arm.joints[i].kind == "prismatic":
+        across = change.p - (axis @ change.p) * axis
+        return change.angle() < 1e-9 and float(np.abs(across).max()) < 1e-9
+    return bool(np.abs(change.R @ axis - axis).max() < 1e-9 and np.abs(change.p).max() < 1e-9)
 
 
 def is_nothing(arm: SerialArm, mutant: SerialArm) -> bool:

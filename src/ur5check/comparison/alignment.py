@@ -12,7 +12,7 @@ about axis 1 are one freedom (it is given to the base, unless only the joint's z
 the same); the last joint's zero shows in the tool frame alone.
 
 Among alignments that fit equally well the one that changes least is taken: gravity kept, tool
-frame met, fewest reversed joints, smallest offsets.
+frame met, fewest joints reversed or shifted, smallest offsets.
 """
 
 from __future__ import annotations
@@ -218,12 +218,12 @@ def _cost(a: SerialArm, b: SerialArm, alignment: Alignment) -> tuple[float, ...]
     tilted = np.linalg.norm(np.cross(down_a, down_b)) > 1e-6 * np.linalg.norm(down_a) * (
         np.linalg.norm(down_b)
     ) or bool(down_a @ down_b < 0)
-    reversed_joints = float((alignment.signs < 0).sum())
     return (
         float(tilted),
         float(len(alignment.unknown)),
         float(alignment.tool.angle() > NEAR_ANGLE),
-        reversed_joints,
+        float(_changes(alignment) + (alignment.T_ab.angle() > NEAR_ANGLE)),
+        float((alignment.signs < 0).sum()),
         round(float(np.abs(alignment.offsets).sum()), 9),
         round(alignment.T_ab.angle(), 9),
     )

@@ -35,6 +35,8 @@ class Pair:
     alignment : how b was brought there
     link_maps : for each link, the transform from b's link frame to a's in which the two links'
         inertias are held against each other, T_{a,i ← b,i}
+    number_by_number : whether both sources put their frames by one recipe and are held against
+        each other as they are written, wherever their frames stand in space
     """
 
     a: SerialArm
@@ -42,6 +44,7 @@ class Pair:
     given_b: SerialArm
     alignment: Alignment
     link_maps: tuple[Transform, ...]
+    number_by_number: bool
 
     def inertias_b(self) -> tuple[Inertia, ...]:
         """B's inertias, each in arm a's link frame."""
@@ -75,45 +78,51 @@ def pair_up(a: SerialArm, b: SerialArm) -> Pair:
 
     Raises UsageError if the arms have different numbers or kinds of joints.
     """
-    return _paired(a, b, align(a, b))
+    alignment = align(a, b)
+    return _paired(a, b, alignment, not alignment.exact)
 
 
 def pair_as_written(a: SerialArm, b: SerialArm) -> Pair:
-    """The same with b's joint angles as they stand, whether or not the axes then coincide."""
-    return _paired(a, b, align_as_written(a, b))
+    """The same with joint angles, and as far as may be all numbers, as they are written."""
+    return _paired(a, b, align_as_written(a, b), True)
 
 
-def _paired(a: SerialArm, b: SerialArm, alignment: Alignment) -> Pair:
+def _paired(a: SerialArm, b: SerialArm, alignment: Alignment, as_written: bool) -> Pair:
     moved = arm_in_coordinates_of(a, b, alignment)
-    return Pair(a, moved, b, alignment, _link_maps(a, moved, alignment.exact))
+    number_by_number = as_written and same_recipe(a, moved)
+    maps = _maps_as_written(a, moved) if number_by_number else _maps_in_space(a, moved)
+    return Pair(a, moved, b, alignment, maps, number_by_number)
 
 
-def _link_maps(a: SerialArm, b: SerialArm, same_axes: bool) -> tuple[Transform, ...]:
-    """Link frames that coincide in space at q = 0 correspond; so do those of one recipe.
+def _maps_as_written(a: SerialArm, b: SerialArm) -> tuple[Transform, ...]:
+    """Source frames made by the same recipe are taken as the same, wherever they stand in space:
+    a wrong length then counts as geometry, and not as a wrong centre of mass too."""
+    return tuple(
+        la.source_frame @ lb.source_frame.inverse() for la, lb in zip(a.links, b.links, strict=True)
+    )
+
+
+def _maps_in_space(a: SerialArm, b: SerialArm) -> tuple[Transform, ...]:
+    """Link frames correspond as they stand in space at q = 0.
 
     Two files written in the same frames are compared digit by digit, untouched by rounding: a map
     between source frames that is the identity within the tolerance of the axes becomes exactly so.
-    With unequal geometry nothing coincides, and frames made by the same recipe are taken as the
-    same, so that a wrong length counts as geometry and not as a centre of mass too.
     """
     rest = [0.0] * a.n
-    in_space = [
-        Transform.from_matrix(T_a).inverse() @ Transform.from_matrix(T_b)
-        for T_a, T_b in zip(link_frames(a, rest), link_frames(b, rest), strict=True)
-    ]
-    as_written = [
-        la.source_frame @ lb.source_frame.inverse() for la, lb in zip(a.links, b.links, strict=True)
-    ]
-    if not same_axes:
-        return tuple(as_written if same_recipe(a, b) else in_space)
-    between_sources = [
-        la.source_frame.inverse() @ T @ lb.source_frame
-        for la, T, lb in zip(a.links, in_space, b.links, strict=True)
-    ]
-    return tuple(
-        written if E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH else T
-        for T, E, written in zip(in_space, between_sources, as_written, strict=True)
-    )
+    maps = []
+    for la, lb, T_a, T_b, written in zip(
+        a.links,
+        b.links,
+        link_frames(a, rest),
+        link_frames(b, rest),
+        _maps_as_written(a, b),
+        strict=True,
+    ):
+        T = Transform.from_matrix(T_a).inverse() @ Transform.from_matrix(T_b)
+        E = la.source_frame.inverse() @ T @ lb.source_frame
+        same = E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH
+        maps.append(written if same else T)
+    return tuple(maps)
 
 
 def same_recipe(a: SerialArm, b: SerialArm) -> bool:

@@ -15,7 +15,7 @@ from ..arm.inertia import Inertia
 from ..arm.serial_arm import Link, SerialArm
 from ..arm.transforms import Array, Transform
 from ..comparison.alignment import SAME_LENGTH
-from ..comparison.pair import Pair, Side, same_recipe
+from ..comparison.pair import Pair, Side
 
 __all__ = ["Body", "Scene", "body_of", "changed_bodies", "with_body"]
 
@@ -87,7 +87,7 @@ class Scene:
         arms = {"a": pair.a, "b": pair.given_b}
         suspect, other = (arms[side], arms["a" if side == "b" else "b"])
         maps = [T.inverse() if side == "b" else T for T in pair.link_maps]
-        if not pair.alignment.exact and same_recipe(pair.a, pair.b):
+        if pair.number_by_number:
             # Number by number, as both files write them; a DH file may write a and d, or r.
             ways = [
                 cls(side, _bodies(suspect, after_turn), _bodies(other, after_turn))

@@ -16,7 +16,7 @@ from ..arm.transforms import Array, Transform
 from .body import Scene
 from .cylinder import Cylinder, fit_cylinder
 from .mistake import Mistake, Quantity, Remedy, value_of
-from .numbers import DECADES, axis_swaps, digit_swaps, sign_flips, words_of
+from .numbers import DECADES, axis_swaps, decimal_slips, digit_swaps, sign_flips, words_of
 
 __all__ = ["CATALOGUE"]
 
@@ -54,8 +54,11 @@ def _swapped_axes(quantity: Quantity) -> Mistake:
 
 def _scaled(quantity: Quantity, says: str, mend: str) -> Mistake:
     def remedies(scene: Scene, i: int) -> Iterator[Remedy]:
+        value = value_of(scene.bodies[i], quantity)
         for factor in DECADES:
-            yield words_of(factor), factor * value_of(scene.bodies[i], quantity)
+            yield words_of(factor), factor * value
+        if quantity in ("centre", "reach"):
+            yield from decimal_slips(value)
 
     # Not in pairs: shrunk to nothing, a number takes any mistake that adds something.
     return Mistake(f"{quantity}-scaled", quantity, says, mend, remedies, alone=True)
@@ -196,14 +199,26 @@ def _product_signs(scene: Scene, i: int) -> Iterator[Remedy]:
             yield f"signs of I{', I'.join(names)}", mended
 
 
+_ORDERS = {
+    "by rows": ("xx", "xy", "xz", "yy", "yz", "zz"),  # URDF
+    "by columns": ("xx", "xy", "yy", "xz", "yz", "zz"),  # Pinocchio
+    "diagonal first": ("xx", "yy", "zz", "xy", "xz", "yz"),  # CAD reports, MJCF
+    "diagonal first, yz before xy": ("xx", "yy", "zz", "yz", "xz", "xy"),  # Voigt
+}
+
+
 def _entry_order(scene: Scene, i: int) -> Iterator[Remedy]:
-    # URDF lists xx xy xz yy yz zz by rows; Pinocchio and others xx xy yy xz yz zz by columns.
-    t = scene.bodies[i].tensor
-    yield (
-        "Iyy and Ixz exchanged",
-        np.array([[t[0, 0], t[0, 1], t[1, 1]], [t[0, 1], t[0, 2], t[1, 2]],
-                  [t[1, 1], t[1, 2], t[2, 2]]]),
-    )  # fmt: skip
+    """Six entries listed in one order and read in another."""
+    tensor = scene.bodies[i].tensor
+    for read, read_order in _ORDERS.items():
+        listed = [tensor["xyz".index(name[0]), "xyz".index(name[1])] for name in read_order]
+        for written, order in _ORDERS.items():
+            if written != read:
+                mended = np.empty((3, 3))
+                for name, value in zip(order, listed, strict=True):
+                    row, column = ("xyz".index(axis) for axis in name)
+                    mended[row, column] = mended[column, row] = value
+                yield f"listed {written}, read {read}", mended
 
 
 def _three_r_squared(scene: Scene, i: int) -> Iterator[Remedy]:

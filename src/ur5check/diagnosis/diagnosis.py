@@ -70,10 +70,10 @@ class Diagnosis:
 
 def diagnose(pair: Pair, states: States) -> Diagnosis:
     """Look for known mistakes between two arms, and show what mending them does to the torques."""
-    reading = best_reading(pair)
+    reading, rivals = best_reading(pair)
     course = _Course(reading, states, _rms(pair.a, pair.b, states))
     for finding in whole_arm(reading):
-        course.mend_whole(finding)
+        course.mend_whole(finding, rivals)
     groups: dict[Kind, list[Explained]] = {}
     for explained in reading.explained:
         groups.setdefault(explained.kind, []).append(explained)
@@ -114,7 +114,7 @@ class _Course:
         self.left = before
         self.findings: list[Finding] = []
 
-    def mend_whole(self, whole: WholeArm) -> None:
+    def mend_whole(self, whole: WholeArm, rivals: tuple[str, ...]) -> None:
         if whole.gravity is not None:
             g_a, _ = whole.gravity
             self.arms["b"] = self.arms["b"].with_gravity(g_a)
@@ -124,7 +124,17 @@ class _Course:
             after = _rms(self.arms["a"], self.arms["b"], self.states)
         sentence, advice = whole_arm_in_words(whole, self.names)
         self.findings.append(
-            Finding(whole.id, whole.side, (), sentence, advice, self.left, after, whole.choices)
+            Finding(
+                whole.id,
+                whole.side,
+                (),
+                sentence,
+                advice,
+                self.left,
+                after,
+                whole.choices,
+                rivals if not whole.id.startswith("gravity") else (),
+            )
         )
         self.left = after
 

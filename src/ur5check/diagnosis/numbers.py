@@ -10,7 +10,7 @@ import numpy as np
 from ..arm.transforms import Array
 from .mistake import Remedy
 
-__all__ = ["DECADES", "axis_swaps", "digit_swaps", "sign_flips", "words_of"]
+__all__ = ["DECADES", "axis_swaps", "decimal_slips", "digit_swaps", "sign_flips", "words_of"]
 
 #: Powers of ten by which units and decimal points slip; 1000 is kg for g, m for mm.
 DECADES = (1e-3, 1e3, 1e-1, 1e1, 1e-2, 1e2, 1e-4, 1e4, 1e-6, 1e6)
@@ -48,6 +48,16 @@ def digit_swaps(value: float) -> Iterator[Remedy]:
             swapped[one], swapped[other] = swapped[other], swapped[one]
             mended = "".join(swapped)
             yield f"{mended} for {text}", float(np.copysign(float(mended), value))
+
+
+def decimal_slips(v: Array) -> Iterator[Remedy]:
+    """One component with its decimal point moved."""
+    for k in range(3):
+        if v[k] != 0.0:
+            for factor in DECADES:
+                slipped = v.copy()
+                slipped[k] = factor * v[k]
+                yield f"{_AXES[k]} {words_of(factor)}", slipped
 
 
 def words_of(factor: float) -> str:

@@ -15,11 +15,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from ..comparison.pair import Pair, Side, pair_as_written, pair_up
-from ..comparison.walk import NEAR_ANGLE
 from .body import Body, Scene
 from .convention import read_by_the_other_rule
-from .search import DIGITS, Suspicion, Verdict, disagreements, explanations
+from .search import DIGITS, Suspicion, Verdict, disagreements, explanations, stands_out, usual_gap
 
 __all__ = ["Explained", "Reading", "best_reading"]
 
@@ -57,58 +58,92 @@ class Reading:
     """One way to read a pair.
 
     rule : the side whose DH table was read by the other rule, if any
+    noise : the disagreement that is usual between the two sources' inertial numbers
     """
 
     pair: Pair
     rule: Side | None
     explained: tuple[Explained, ...]
     unexplained: tuple[Suspicion, ...]
+    noise: float
 
     @property
-    def moved_joints(self) -> int:
-        """How many joints this reading reverses or shifts."""
+    def moved(self) -> Array:
+        """Which joints this reading reverses or shifts, shape (n,)."""
         alignment = self.pair.alignment
-        moved = (alignment.signs < 0) | (np.abs(alignment.offsets) > NEAR_ANGLE)
-        return int(moved.sum())
+        return np.asarray((alignment.signs < 0) | (np.abs(alignment.offsets) > SAME_ANGLE))
+
+    @property
+    def unaccounted(self) -> int:
+        """How many unexplained numbers stand out from the noise."""
+        return sum(stands_out(suspicion, self.noise) for suspicion in self.unexplained)
 
     @property
     def cost(self) -> tuple[int, int]:
-        """Numbers left unexplained, then mistakes believed in."""
+        """What stays unexplained, then what we are asked to believe.
+
+        A joint that is reversed or shifted is one belief, and two more if the shift is no whole
+        number of degrees: people choose round zeros.
+        """
+        alignment = self.pair.alignment
         kinds = {explained.kind for explained in self.explained}
-        believed = len(kinds) + len(self.explained) + self.moved_joints + (self.rule is not None)
-        return len(self.unexplained), believed
+        degrees = np.degrees(alignment.offsets)
+        odd = self.moved & (np.abs(degrees - np.rint(degrees)) > 1e-6)
+        believed = len(kinds) + len(self.explained) + int(self.moved.sum()) + 2 * int(odd.sum())
+        believed += int(alignment.T_ab.angle() > SAME_ANGLE) + (self.rule is not None)
+        return self.unaccounted, believed
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The mistakes that this reading believes in, whole-arm ones aside."""
+        return tuple(dict.fromkeys(" + ".join(e.verdict.ids) for e in self.explained))
 
 
-def best_reading(pair: Pair) -> Reading:
-    """The reading of a pair that asks us to believe least."""
+def best_reading(pair: Pair) -> tuple[Reading, tuple[str, ...]]:
+    """The reading of a pair that asks us to believe least.
+
+    Also the mistakes that other readings would believe in instead, where they leave no more
+    unexplained.
+    """
     readings = [_read(pair)]
     others: list[tuple[Side, SerialArm, SerialArm]]
-    if readings[0].moved_joints:
+    if readings[0].moved.any() or (readings[0].unaccounted and not pair.number_by_number):
         readings.append(_read(pair_as_written(pair.a, pair.given_b)))
-    if readings[0].moved_joints or not pair.alignment.exact:
+    if readings[0].moved.any() or not pair.alignment.exact:
         others = [("b", pair.a, other) for other in read_by_the_other_rule(pair.given_b)]
         others += [("a", other, pair.given_b) for other in read_by_the_other_rule(pair.a)]
         for side, a, b in others:
             turned = _read(pair_up(a, b), side)
             # The other rule is believed only where it puts every axis in its place as it stands.
-            if turned.pair.alignment.exact and not turned.moved_joints:
+            if turned.pair.alignment.exact and not turned.moved.any():
                 readings.append(turned)
-    return min(readings, key=lambda reading: reading.cost)
+    best = min(readings, key=lambda reading: reading.cost)
+    rivals = [r for r in readings if r is not best and r.unaccounted <= best.unaccounted]
+    return best, tuple(dict.fromkeys(name for rival in rivals for name in rival.ids))
 
 
 def _read(pair: Pair, rule: Side | None = None) -> Reading:
     scenes: dict[Side, Scene] = {"b": Scene.of(pair, "b"), "a": Scene.of(pair, "a")}
-    suspicions = disagreements(scenes["b"], geometry=not pair.alignment.exact)
-    noise = float(np.median([suspicion.gap for suspicion in suspicions]))
+    suspicions = disagreements(scenes["b"], geometry=pair.number_by_number)
+    noise = usual_gap(suspicions)
     candidates = []
-    unexplained = []
+    unexplained = _geometry_without_numbers(pair)
     for suspicion in _whole_bodies_first(suspicions, scenes):
         options = _options(scenes, suspicion, noise) if suspicion.gap > _SAME else []
         if options:
             candidates.append(options)
         elif suspicion.gap > DIGITS:
             unexplained.append(suspicion)
-    return Reading(pair, rule, tuple(_fewest_kinds(candidates)), tuple(unexplained))
+    return Reading(pair, rule, tuple(_fewest_kinds(candidates)), tuple(unexplained), noise)
+
+
+def _geometry_without_numbers(pair: Pair) -> list[Suspicion]:
+    """Axes that do not coincide, where the sources' lengths cannot be held against each other."""
+    alignment = pair.alignment
+    if alignment.exact or pair.number_by_number:
+        return []
+    apart = np.maximum(alignment.axis_angle / SAME_ANGLE, alignment.axis_distance / SAME_LENGTH)
+    return [Suspicion(int(i), "reach", 1.0) for i in np.flatnonzero(apart > 1.0)]
 
 
 def _whole_bodies_first(

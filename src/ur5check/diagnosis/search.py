@@ -14,7 +14,7 @@ Otherwise no known mistake explains the number, and that is what is said.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,13 +24,21 @@ from .body import Body, Scene, changed_bodies
 from .catalogue import CATALOGUE
 from .mistake import Mistake, Quantity, changed, value_of
 
-__all__ = ["DIGITS", "Suspicion", "Verdict", "disagreements", "explanations"]
+__all__ = [
+    "DIGITS",
+    "Suspicion",
+    "Verdict",
+    "disagreements",
+    "explanations",
+    "stands_out",
+    "usual_gap",
+]
 
 #: Numbers that agree to four digits agree.
 DIGITS = 1e-4
 
 _STANDS_OUT = 5.0  # times the noise, before mending
-_VANISHES = 2.0  # times the noise, after
+_VANISHES = 5.0  # times the noise, after: mending may lean on several noisy numbers
 _MOST_NOISE = 0.06  # models that differ more than this everywhere are not two measurements of one
 _HELPS = 5.0  # mending must bring a number at least so much closer
 
@@ -94,12 +102,25 @@ def explanations(scene: Scene, suspicion: Suspicion, noise: float) -> list[Verdi
     """
     alone = list(_singles(scene, suspicion.link, suspicion.quantity))
     found = _good_enough(suspicion, alone, DIGITS)
-    if not found and suspicion.gap > DIGITS:
+    if not found and stands_out(suspicion, noise):
         pairs = list(_pairs(scene, suspicion.link, suspicion.quantity))
         found = _good_enough(suspicion, pairs, DIGITS, len(alone) + len(pairs))
-    if not found and DIGITS < noise < _MOST_NOISE and suspicion.gap > _STANDS_OUT * noise:
+    if not found and DIGITS < noise < _MOST_NOISE and stands_out(suspicion, noise):
         found = _good_enough(suspicion, alone, _VANISHES * noise)
     return found
+
+
+def usual_gap(suspicions: Iterable[Suspicion]) -> float:
+    """The median disagreement of inertial numbers: what two honest measurements leave.
+
+    Lengths are left aside: they are copied from data sheets, not measured.
+    """
+    return float(np.median([s.gap for s in suspicions if s.quantity in _INERTIAL]))
+
+
+def stands_out(suspicion: Suspicion, noise: float) -> bool:
+    """Whether a number is further off than honest measurement would have it."""
+    return suspicion.gap > max(DIGITS, _STANDS_OUT * noise if noise < _MOST_NOISE else 0.0)
 
 
 _Tried = tuple[tuple[Mistake, ...], tuple[str, ...], Any, float]

@@ -10,7 +10,6 @@ import numpy as np
 from ..arm.transforms import Array, Transform
 from ..comparison.alignment import SAME_ANGLE
 from ..comparison.pair import Side
-from ..comparison.walk import NEAR_ANGLE
 from .reading import Reading
 
 __all__ = ["WholeArm", "whole_arm"]
@@ -59,7 +58,7 @@ def whole_arm(reading: Reading) -> list[WholeArm]:
     shifted = tuple(
         (i, float(offset))
         for i, offset in enumerate(alignment.offsets, 1)
-        if abs(offset) > NEAR_ANGLE
+        if abs(offset) > SAME_ANGLE
     )
     if shifted:
         found.append(WholeArm("zero-shifted", "b", False, pair.a.n, shifted))
