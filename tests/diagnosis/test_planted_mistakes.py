@@ -96,6 +96,12 @@ def test_masses_of_two_links_exchanged(one, other):
     assert found.findings[0].links == (one, other)
 
 
+def test_measured_masses_of_equal_links_are_not_exchanged():
+    # Both wrists weigh 1.219 kg; one measured again as 1.219, the other as 1.24, is no exchange.
+    found = first_answer(UR5, planted(planted(UR5, 4, mass=1.24), 5, mass=1.21901))
+    assert not found.findings
+
+
 def test_two_digits_of_a_mass_exchanged():
     found = first_answer(UR5, planted(UR5, 2, mass=8.933))  # for 8.393
     assert found.findings[0].id == "mass-digits"

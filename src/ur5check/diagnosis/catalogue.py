@@ -66,11 +66,14 @@ def _scaled(quantity: Quantity, says: str, mend: str) -> Mistake:
 
 def _exchanged(quantity: Quantity) -> Mistake:
     def remedies(scene: Scene, i: int) -> Iterator[Remedy]:
-        mine = value_of(scene.bodies[i], quantity)
+        mine, mine_due = (value_of(side[i], quantity) for side in (scene.bodies, scene.truth))
         for j, other in enumerate(scene.bodies):
-            # An exchange goes both ways: what stands here is what the other link should have.
+            # An exchange goes both ways: what stands here is what the other link should have.  Two
+            # links that should have nearly the same (a UR5's wrists) must have it to the digit.
             due = value_of(scene.truth[j], quantity)
-            if j != i and np.linalg.norm(mine - due) < 0.1 * np.linalg.norm(due):
+            size = np.linalg.norm(due)
+            nearly = 0.1 if np.linalg.norm(mine_due - due) > 0.1 * size else 1e-4
+            if j != i and np.linalg.norm(mine - due) < nearly * size:
                 yield f"with link {j + 1}", value_of(other, quantity)
 
     words = {"mass": "mass", "centre": "centre of mass", "tensor": "tensor", "reach": "length"}
