@@ -23,6 +23,7 @@ from dataclasses import asdict, dataclass
 from functools import cache, partial
 from itertools import chain
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -117,6 +118,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--missed", action="store_true", help="list what went wrong")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="processes")
     options = parser.parse_args(arguments)
+    whole = options.arms == list(ARMS) and options.mistakes == list(MISTAKES)
+    if options.write_docs and (options.quick or not whole):
+        parser.error("the page is written from a whole run")
     if options.quick:
         options.arms = [name for name in options.arms if name in _QUICK_ARMS]
         options.clean = min(options.clean, 20)
@@ -124,7 +128,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options.seed, options.clean, options.arms, options.mistakes,
         quick=options.quick, jobs=options.jobs,
     )  # fmt: skip
-    print(tables(report))
+    print(tables(report), _time(report), sep="\n\n")
     if options.missed:
         print(missed(report))
     if options.json:
@@ -371,7 +375,7 @@ def _rest(report: dict[str, Any]) -> str:
             lines.append(
                 f"False alarms in {len(some):,} pairs that differ by 1 to 5 % in {what}: {wrong}."
             )
-    return "\n\n".join(lines)
+    return "\n\n".join(fill(line, 100) for line in lines)
 
 
 def _time(report: dict[str, Any]) -> str:
@@ -384,7 +388,7 @@ def _time(report: dict[str, Any]) -> str:
 
 def missed(report: dict[str, Any]) -> str:
     """What went wrong, one line each."""
-    lines = [_time(report)]
+    lines = []
     for case in report["cases"]:
         if not case["detected"] or not case["tied"]:
             what = "MISNAMED" if case["detected"] else "MISSED"
@@ -403,13 +407,19 @@ def missed(report: dict[str, Any]) -> str:
 
 def page(report: dict[str, Any]) -> str:
     """docs/diagnosis-benchmark.md."""
+    robots = len(report["arms"]) - 4
+    about = fill(
+        f"plants every known mistake in every link of {len(report['arms'])} arms and writes this "
+        f"page. Seed {report['seed']}; arms: {', '.join(report['arms'])}. The first {robots} come "
+        "from `example-robot-data`, `paper` is the DH table of the UR5, the chains are drawn at "
+        "random.",
+        100,
+    )
     return f"""# How well the diagnosis finds mistakes
 
     python benchmarks/bench_diagnosis.py --write-docs
 
-plants every known mistake in every link of {len(report["arms"])} arms and writes this page.
-Seed {report["seed"]}; arms: {", ".join(report["arms"])}. The first {len(report["arms"]) - 4} come
-from `example-robot-data`, `paper` is the DH table of the UR5, the chains are drawn at random.
+{about}
 
 {tables(report)}
 

@@ -53,6 +53,11 @@ WHOLE_ARM = {
         "give the vector to where things fall",
     ),
     "gravity-value": ("gravity", "9.81 here, 9.806 there", "compare under one gravity"),
+    "motor-inertia": (
+        "motor inertia",
+        "a motor's inertia is in one model only, or differs",
+        "reflect it through the gear, n² J, in both models or in neither",
+    ),
     "gravity-direction": ("gravity", "gravity points another way", "compare under one gravity"),
 }
 

@@ -11,6 +11,8 @@ Needs the extra `ur5check[strategies]`.
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 from hypothesis import strategies as st
 
@@ -68,7 +70,8 @@ def arms(
 ) -> SerialArm:
     """Serial arms of `min_joints` to `max_joints` joints, in any frames, under any gravity."""
     n = draw(st.integers(min_joints, max_joints))
-    kinds = ["revolute", "revolute", "revolute", "prismatic"] if prismatic else ["revolute"]
+    slides: list[Literal["revolute", "prismatic"]] = ["prismatic"] if prismatic else []
+    kinds = ["revolute", "revolute", "revolute", *slides]
     joints, links = [], []
     for i in range(1, n + 1):
         joints.append(Joint(f"joint_{i}", draw(unit_vectors()), draw(st.sampled_from(kinds))))

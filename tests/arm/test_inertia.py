@@ -24,6 +24,12 @@ def test_parameters_and_back_is_the_same_body(inertia):
     same(Inertia.from_parameters(inertia.parameters()), inertia)
 
 
+def test_parallel_axes_that_all_but_cancel_leave_a_symmetric_tensor():
+    far = Inertia(3700.0, np.array([12.3, -4.56, 7.89]), np.diag([1e-9, 2e-9, 3e-9]))
+    tensor = Inertia.from_parameters(far.parameters()).tensor
+    np.testing.assert_array_equal(tensor, tensor.T)
+
+
 @given(strategies.inertias(), strategies.transforms())
 def test_a_frame_change_is_that_of_pinocchio(inertia, T):
     body = pin.Inertia(inertia.mass, inertia.com, inertia.tensor)

@@ -49,6 +49,15 @@ def test_the_law_holds_for_every_shipped_model(law, name):
     assert result.passed, result
 
 
+@by_id
+def test_the_law_holds_for_an_arm_with_motors(law):
+    arm = ARM.with_armature([0.5, 2.0, 0.0, 0.1, 0.03])
+    assert outcome(law, subject(arm)).passed
+    # And the motors do something: the referee without them disagrees.
+    if law.id in ("torque-referee", "mass-referee"):
+        assert outcome(law, subject(arm, referee=PinocchioEngine(ARM))).status == "fail"
+
+
 # --- and what each of them refuses ---------------------------------------------------------------
 
 

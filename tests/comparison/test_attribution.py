@@ -69,6 +69,7 @@ def with_link_3(**change):
         (with_link_3(com=np.array([0.3, 0.1, 0.2])), Owner("centre of mass", 3)),
         (with_link_3(tensor=np.diag([0.4, 0.5, 0.6])), Owner("tensor", 3)),
         (ARM.with_gravity([1.0, 2.0, 3.0]), Owner("gravity")),
+        (ARM.with_armature([0.0, 0.5, 0.0, 0.0]), Owner("motor inertia")),
         (
             replace(
                 ARM,
@@ -84,7 +85,7 @@ def with_link_3(**change):
             Owner("geometry"),
         ),
     ],
-    ids=["mass", "centre", "tensor", "gravity", "geometry"],
+    ids=["mass", "centre", "tensor", "gravity", "motor", "geometry"],
 )
 def test_a_single_change_is_given_to_its_owner(changed, owner):
     assert owner_of(changed) == owner

@@ -35,7 +35,7 @@ def test_parts_sum_to_the_difference(data):
     pair = pair_up(arm, other)
     fine, terms = by_parameter(pair, states), by_term(pair, states)
     size = max(1.0, np.abs(fine.torque).max() + np.abs(fine.delta).max())
-    assert fine.torque.shape[0] == 10 * arm.n + 2
+    assert fine.torque.shape[0] == 10 * arm.n + 3
     assert np.abs(fine.remainder).max() <= 1e-11 * size
     parts = (terms.gravity, terms.coriolis, terms.inertial)
     assert np.abs(sum(term.delta for term in parts) - fine.delta).max() <= 1e-11 * size
@@ -48,9 +48,9 @@ def test_finer_parts_add_up_to_the_coarse_ones(names):
     pair, states = pair_up(*(ur5check.load(name) for name in names)), random_states(6, 40, seed=1)
     coarse, fine, terms = attribute(pair, states), by_parameter(pair, states), by_term(pair, states)
     scale = 1e-12 * max(1.0, np.abs(coarse.torque).max())
-    per_link = coarse.torque[2:].reshape(6, 3, 40, 6).sum(axis=1)
+    per_link = coarse.torque[3:].reshape(6, 3, 40, 6).sum(axis=1)
     np.testing.assert_allclose(
-        fine.torque[2:].reshape(6, 10, 40, 6).sum(axis=1), per_link, atol=scale
+        fine.torque[3:].reshape(6, 10, 40, 6).sum(axis=1), per_link, atol=scale
     )
     summed = terms.gravity.torque + terms.coriolis.torque + terms.inertial.torque
     np.testing.assert_allclose(summed, coarse.torque, atol=scale)

@@ -216,6 +216,15 @@ def test_a_joint_reversed_and_a_zero_shifted():
     assert "-17.19°" in by_id["zero-shifted"]
 
 
+def test_motor_inertia_in_one_only():
+    geared = CHAIN.with_armature([0.0, 0.8, 0.0, 0.3, 0.0])
+    found = first_answer(CHAIN, geared)
+    assert [f.id for f in found.findings] == ["motor-inertia"]
+    assert "joint 2 and 4 is in chain_5 only" in found.findings[0].sentence
+    assert found.after <= 1e-12 * found.before
+    assert ur5check.diff(CHAIN, found.mended_b, samples=50).agrees
+
+
 def measured_again(arm, rng, level):
     """Every inertial number off by up to `level`, independently, as two measurements are."""
 

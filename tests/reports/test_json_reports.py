@@ -165,7 +165,7 @@ def test_the_worst_case_makes_its_value_again(explanation: Explanation) -> None:
 def test_parameters_on_demand(difference: Difference) -> None:
     parameters = by_parameter(difference.pair, difference.states)
     report = read_back(difference_json(difference, parameters=parameters))
-    assert len(report["by_parameter"]) == 62
+    assert len(report["by_parameter"]) == 63
     assert sum(owner["share"] for owner in report["by_parameter"]) == pytest.approx(1.0)
 
 

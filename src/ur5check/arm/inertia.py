@@ -82,7 +82,9 @@ class Inertia:
         for value, (row, column) in zip(pi[4:], _UPPER, strict=True):
             about_origin[row, column] = about_origin[column, row] = value
         com = pi[1:4] / pi[0]
-        return cls(float(pi[0]), com, about_origin + pi[0] * skew(com) @ skew(com))
+        # Symmetric in every entry: where parallel axes all but cancel, rounding would not be.
+        parallel_axes = pi[0] * (com @ com * np.eye(3) - np.outer(com, com))
+        return cls(float(pi[0]), com, about_origin - parallel_axes)
 
     def parameters(self) -> Array:
         """The ten parameters of `PARAMETERS`, shape (10,).  I_o = I_c − m S(c)²."""

@@ -49,12 +49,17 @@ class Limits:
 @dataclass(frozen=True, eq=False)
 class Joint:
     """Joint i: J_i(q_i) turns about, or slides along, the unit vector `axis` through the origin of
-    the frame it starts from (frame i−1 after P_{i−1}, or the base after B)."""
+    the frame it starts from (frame i−1 after P_{i−1}, or the base after B).
+
+    armature : inertia of the joint's own motor, seen through its gear, [kg m²] or [kg].  It resists
+        the joint's acceleration and nothing else: τ_i += armature · q̈_i
+    """
 
     name: str
     axis: Array
     kind: Literal["revolute", "prismatic"] = "revolute"
     limits: Limits = field(default_factory=Limits)
+    armature: float = 0.0
 
     def __post_init__(self) -> None:
         axis = frozen(self.axis, (3,))
@@ -164,6 +169,19 @@ class SerialArm:
             for link, inertia in zip(self.links, inertias, strict=True)
         )
         return replace(self, links=links)
+
+    @property
+    def armature(self) -> Array:
+        """The joints' motor inertias, shape (n,) [kg m²] or [kg]."""
+        return np.array([joint.armature for joint in self.joints])
+
+    def with_armature(self, armature: Sequence[float] | Array) -> SerialArm:
+        """The same arm with other motor inertias, shape (n,)."""
+        joints = tuple(
+            replace(joint, armature=float(value))
+            for joint, value in zip(self.joints, armature, strict=True)
+        )
+        return replace(self, joints=joints)
 
     def with_gravity(self, gravity: Sequence[float] | Array) -> SerialArm:
         """The same arm under another gravity, in its base frame [m/s²]."""

@@ -134,7 +134,8 @@ def _acceleration_size(s: Subject) -> float:
 
 
 def _regressor_torque(s: Subject) -> Measurement:
-    return Measurement(_per_state(s.regressor @ s.arm.parameters() - s.tau), s.torque_size)
+    linear = s.regressor @ s.arm.parameters() + s.arm.armature * s.states.qdd
+    return Measurement(_per_state(linear - s.tau), s.torque_size)
 
 
 LAWS: tuple[Check[Subject], ...] = (
@@ -253,7 +254,7 @@ LAWS: tuple[Check[Subject], ...] = (
         "regressor-torque",
         "algorithm",
         "torque is linear in the inertial parameters",
-        "τ = Y(q, q̇, q̈) π",
+        "τ = Y(q, q̇, q̈) π + armature ∘ q̈",
         "Khalil & Dombre 2002, ch. 9",
         "N m",
         _ROUNDING,

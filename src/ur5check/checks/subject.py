@@ -97,5 +97,8 @@ class Subject:
 
     @cached_property
     def rate_size(self) -> float:
-        """Size of a velocity torque matrix, [N m s]: M times the fastest joint."""
-        return self.mass_size * float(np.abs(self.states.qd).max())
+        """Size of a velocity torque matrix, [N m s]: M times the fastest joint.
+
+        Our C is a difference of velocity torques at q̇ ± one unit, and is rounded as those are.
+        """
+        return self.mass_size * (1.0 + float(np.abs(self.states.qd).max()))

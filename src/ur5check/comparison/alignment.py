@@ -109,7 +109,11 @@ def arm_in_coordinates_of(a: SerialArm, b: SerialArm, alignment: Alignment) -> S
         sign, offset = float(alignment.signs[i]), float(alignment.offsets[i])
         joints.append(
             Joint(
-                a.joints[i].name, joint.axis * sign, joint.kind, _limits(joint.limits, sign, offset)
+                a.joints[i].name,
+                joint.axis * sign,
+                joint.kind,
+                _limits(joint.limits, sign, offset),
+                joint.armature,
             )
         )
         links.append(replace(link, far_end=joint.motion(offset) @ link.far_end))

@@ -30,7 +30,7 @@ from .shares import shares, weight
 __all__ = ["PARAMETER_OWNERS", "Attribution", "Owner", "attribute"]
 
 OwnerKind = Literal[
-    "geometry", "gravity", "mass", "centre of mass", "tensor",
+    "geometry", "gravity", "motor inertia", "mass", "centre of mass", "tensor",
     "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
 ]  # fmt: skip
 #: `arm.PARAMETERS` as owners: what `attribution_detail.by_parameter` splits among.
@@ -119,6 +119,9 @@ def attribute(pair: Pair, states: States) -> Attribution:
         return rnea(pair.arm(geometry, inertias, gravity), q, qd, qdd)
 
     geometry_share, gravity_share, _ = shares(torque, 3)
+    # A motor sits in its joint, and so came along with the geometry: it is an owner of its own.
+    motors = (pair.a.armature - pair.b.armature) * qdd
+    geometry_share = geometry_share - motors
     inertial = np.zeros((3 * pair.a.n, *q.shape))
     dpi = _inertial_differences(pair)  # (n links, 3 owners, 10), in a's link frames
     for is_a in product((True, False), repeat=2):
@@ -126,11 +129,11 @@ def attribute(pair: Pair, states: States) -> Attribution:
         Y = torque_regressor(pair.arm(geometry, geometry, gravity), q, qd, qdd)
         parts = np.concatenate(_per_link(Y, dpi, pair, geometry))
         inertial += weight(sum(is_a), 3) * parts
-    owners = [Owner("geometry"), Owner("gravity")]
+    owners = [Owner("geometry"), Owner("gravity"), Owner("motor inertia")]
     owners += [Owner(kind, link) for link in range(1, pair.a.n + 1) for kind in _INERTIAL]
     tau_a, tau_b = rnea(pair.a, q, qd, qdd), rnea(pair.b, q, qd, qdd)
     rounding = _ROUNDING * pair.a.n * float(max(np.abs(tau_a).max(), np.abs(tau_b).max()))
-    torques = np.concatenate([geometry_share[None], gravity_share[None], inertial])
+    torques = np.concatenate([geometry_share[None], gravity_share[None], motors[None], inertial])
     return Attribution(tau_a - tau_b, tuple(owners), torques, rounding)
 
 

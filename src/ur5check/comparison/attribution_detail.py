@@ -28,7 +28,7 @@ class TermAttribution:
 
 
 def by_parameter(pair: Pair, states: States) -> Attribution:
-    """Split Δτ among geometry, gravity and each of the 10 n parameters: K = 10 n + 2 owners.
+    """Split Δτ among geometry, gravity, motors and each of the 10 n parameters: 10 n + 3 owners.
 
     Owners of kind "m", "mx", … "Izz" hold Ȳ_k (π_a − π_b)_k, with Ȳ averaged over both sides'
     geometry and gravity as in `attribute`.  Parameters are held in a's link frames, and their parts
@@ -46,8 +46,8 @@ def by_parameter(pair: Pair, states: States) -> Attribution:
     owners = [Owner(name, link) for link in range(1, pair.a.n + 1) for name in PARAMETER_OWNERS]
     return Attribution(
         whole.delta,
-        (*whole.owners[:2], *owners),
-        np.concatenate([whole.torque[:2], parameters]),
+        (*whole.owners[:3], *owners),
+        np.concatenate([whole.torque[:3], parameters]),
         whole.rounding,
     )
 

@@ -119,6 +119,9 @@ class _Course:
             g_a, _ = whole.gravity
             self.arms["b"] = self.arms["b"].with_gravity(g_a)
             self.given["b"] = self.given["b"].with_gravity(self.T_ba.R @ g_a)
+        if whole.motors is not None:
+            for arms in (self.arms, self.given):
+                arms["b"] = arms["b"].with_armature(whole.motors[0])
         after = self.left
         if whole.mends_torque:
             after = _rms(self.arms["a"], self.arms["b"], self.states)

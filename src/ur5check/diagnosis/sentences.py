@@ -94,6 +94,15 @@ def whole_arm_in_words(whole: WholeArm, names: Mapping[Side, str]) -> tuple[str,
                 f"Joint {joints} of {b} counts from another zero ({angles})",
                 "add the offset when states are exchanged",
             )
+        case "motor-inertia":
+            motors = np.zeros((2, 0)) if whole.motors is None else whole.motors
+            with_motors = [names["a"]] if motors[0].any() else []
+            only = [*with_motors, names["b"]] if motors[1].any() else with_motors
+            where = f"in {only[0]} only" if len(only) == 1 else "different in the two"
+            return (
+                f"The motor inertia of joint {joints} is {where}",
+                "reflect it through the gear, n² J, in both models or in neither",
+            )
         case "base-turned":
             return (
                 f"The base of {b} is {base_in_words(whole.base)}",

@@ -22,8 +22,10 @@ Id = Literal[
     "gravity-sign",
     "gravity-value",
     "gravity-direction",
+    "motor-inertia",
 ]
 
+_SAME_MOTOR = 1e-4  # relative: the four digits of a data sheet
 _SAME_GRAVITY = 1e-9  # relative: both are written by people, and copied
 
 
@@ -33,6 +35,7 @@ class WholeArm:
 
     joints : numbers from 1 and what is asked of each [rad] or [m]
     base : pose of b's base in a's;  gravity : a's and b's, in a's base frame [m/s²]
+    motors : a's and b's motor inertias, shape (2, n) [kg m²]
     mends_torque : whether the torque difference changes when it is mended; the alignment of joint
         angles has been applied already
     """
@@ -44,6 +47,7 @@ class WholeArm:
     joints: tuple[tuple[int, float], ...] = ()
     base: Transform = field(default_factory=Transform.identity)
     gravity: tuple[Array, Array] | None = None
+    motors: Array | None = None
 
 
 def whole_arm(reading: Reading) -> list[WholeArm]:
@@ -68,6 +72,11 @@ def whole_arm(reading: Reading) -> list[WholeArm]:
     size = float(np.linalg.norm(g_a))
     if np.abs(g_a - g_b).max() > _SAME_GRAVITY * size:
         found.append(WholeArm(_gravity_id(g_a, g_b), None, True, 1, gravity=(g_a, g_b)))
+    motors = np.stack([pair.a.armature, pair.b.armature])
+    apart = np.abs(motors[0] - motors[1]) > _SAME_MOTOR * motors.max(axis=0)
+    if apart.any():
+        numbers = tuple((int(i) + 1, float(motors[0, i])) for i in np.flatnonzero(apart))
+        found.append(WholeArm("motor-inertia", None, True, 1, numbers, motors=motors))
     return found
 
 

@@ -37,6 +37,7 @@ class LinkConstants:
     r: Vector  # r_{i−1,i} at q_i = 0 [m]
     c: Vector  # r_{i,ci} [m]
     m: Scalar  # [kg]
+    armature: Scalar  # of the joint's motor [kg m²]
     I: Matrix  # about the centre of mass [kg m²]  # noqa: E741 - the field's own name
 
     def rotation(self, cos: Scalar, sin: Scalar) -> Rotation:
@@ -93,6 +94,7 @@ def chain_of(arm: SerialArm) -> Chain:
                 r=Vector.of(P.R.T @ P.p),
                 c=Vector.of(link.inertia.com),
                 m=link.inertia.mass,
+                armature=joint.armature,
                 I=Matrix.of(link.inertia.tensor),
             )
         )

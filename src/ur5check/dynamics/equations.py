@@ -109,7 +109,7 @@ def forward_dynamics(
 
 
 def kinetic_energy(arm: SerialArm, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
-    """T = Σ ½ m_i v_ci² + ½ ω_i · I_i ω_i, shape (...) [J]; q, qd of shape (..., n).
+    """T = Σ ½ m_i v_ci² + ½ ω_i · I_i ω_i + ½ armature_i q̇_i², shape (...) [J]; q, qd (..., n).
 
     From the links' velocities, not from M.  Raises StateError as `rnea` does.
     """
@@ -177,5 +177,6 @@ def _kinetic(chain: Chain, state: JointState) -> Scalar:
         r = link.reach(q)
         v_c = v + w.cross(r + link.c)
         energy = energy + 0.5 * (link.m * v_c.dot(v_c) + w.dot(link.I @ w))
+        energy = energy + 0.5 * link.armature * qd * qd
         v = v + w.cross(r)
     return energy

@@ -16,6 +16,8 @@ origin and r_{i,ci} from the far origin to the centre of mass, r_{i−1,ci} = r_
           + I_i α_i + ω_i × I_i ω_i                                                           (15)
     and the joint feels b_i · τ_i.
 
+A motor's inertia, which the paper leaves out, adds armature_i · q̈_i to its own joint's torque.
+
 A sliding joint, which the paper has no use for, adds b_i q̈_i + 2 ω_i × b_i q̇_i to both
 accelerations in place of its share of (9) and (10), and feels b_i · f_i.
 """
@@ -30,7 +32,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..arm.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of
 from .chain import Chain, LinkConstants, Rotation, chain_of
-from .vectors import ZERO, Scalar, Vector
+from .vectors import ZERO, Scalar, Vector, plus, times
 
 __all__ = ["LinkMotion", "inward", "joint_torques", "outward", "rnea"]
 
@@ -93,8 +95,12 @@ def inward(motions: list[LinkMotion]) -> list[Scalar]:
 
 
 def joint_torques(chain: Chain, state: JointState, gravity: Vector) -> list[Scalar]:
-    """τ of one block of states: out along the arm and back."""
-    return inward(outward(chain, state, gravity))
+    """τ of one block of states: out along the arm and back, and what the motors themselves ask."""
+    torques = inward(outward(chain, state, gravity))
+    return [
+        plus(torque, times(link.armature, qdd))
+        for torque, link, qdd in zip(torques, chain.links, state.qdd, strict=True)
+    ]
 
 
 def rnea(

@@ -37,7 +37,7 @@ def torque_regressor(
     qdd: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> NDArray[Any]:
-    """Y(q, q̇, q̈), shape (..., n, 10 n), with rnea(arm, …) = Y @ arm.parameters().
+    """Y(q, q̇, q̈), shape (..., n, 10 n), with rnea(arm, …) = Y @ arm.parameters() + armature ∘ q̈.
 
     Parameters as in `rnea`; columns 10 i … 10 i + 9 belong to link i + 1, in that link's frame.
     Y depends on the arm's geometry and gravity only, not on its inertias.

@@ -14,12 +14,13 @@ from typing import Any
 
 from ..arm.transforms import Array
 
-__all__ = ["ZERO", "Matrix", "Scalar", "Vector"]
+__all__ = ["ZERO", "Matrix", "Scalar", "Vector", "plus", "times"]
 
 Scalar = Any
 
 
-def _times(a: Scalar, b: Scalar) -> Scalar:
+def times(a: Scalar, b: Scalar) -> Scalar:
+    """A product; constants 0 and ±1 cost nothing."""
     for constant, other in ((a, b), (b, a)):
         if type(constant) is float:
             if constant == 0.0:
@@ -31,7 +32,8 @@ def _times(a: Scalar, b: Scalar) -> Scalar:
     return a * b
 
 
-def _plus(a: Scalar, b: Scalar) -> Scalar:
+def plus(a: Scalar, b: Scalar) -> Scalar:
+    """A sum; a constant 0 costs nothing."""
     if type(a) is float and a == 0.0:
         return b
     if type(b) is float and b == 0.0:
@@ -64,40 +66,40 @@ class Vector:
         return iter((self.x, self.y, self.z))
 
     def __add__(self, other: Vector) -> Vector:
-        return Vector(_plus(self.x, other.x), _plus(self.y, other.y), _plus(self.z, other.z))
+        return Vector(plus(self.x, other.x), plus(self.y, other.y), plus(self.z, other.z))
 
     def __sub__(self, other: Vector) -> Vector:
         return Vector(_minus(self.x, other.x), _minus(self.y, other.y), _minus(self.z, other.z))
 
     def __mul__(self, scalar: Scalar) -> Vector:
-        return Vector(_times(self.x, scalar), _times(self.y, scalar), _times(self.z, scalar))
+        return Vector(times(self.x, scalar), times(self.y, scalar), times(self.z, scalar))
 
     def cross(self, other: Vector) -> Vector:
         """self × other."""
         return Vector(
-            _minus(_times(self.y, other.z), _times(self.z, other.y)),
-            _minus(_times(self.z, other.x), _times(self.x, other.z)),
-            _minus(_times(self.x, other.y), _times(self.y, other.x)),
+            _minus(times(self.y, other.z), times(self.z, other.y)),
+            _minus(times(self.z, other.x), times(self.x, other.z)),
+            _minus(times(self.x, other.y), times(self.y, other.x)),
         )
 
     def dot(self, other: Vector) -> Scalar:
         """self · other, without conjugation."""
-        xy = _plus(_times(self.x, other.x), _times(self.y, other.y))
-        return _plus(xy, _times(self.z, other.z))
+        xy = plus(times(self.x, other.x), times(self.y, other.y))
+        return plus(xy, times(self.z, other.z))
 
     def turned_about_z(self, cos: Scalar, sin: Scalar) -> Vector:
         """Rot_z · self, from the cosine and sine of the angle."""
         return Vector(
-            _minus(_times(cos, self.x), _times(sin, self.y)),
-            _plus(_times(sin, self.x), _times(cos, self.y)),
+            _minus(times(cos, self.x), times(sin, self.y)),
+            plus(times(sin, self.x), times(cos, self.y)),
             self.z,
         )
 
     def turned_back_about_z(self, cos: Scalar, sin: Scalar) -> Vector:
         """Rot_zᵀ · self."""
         return Vector(
-            _plus(_times(cos, self.x), _times(sin, self.y)),
-            _minus(_times(cos, self.y), _times(sin, self.x)),
+            plus(times(cos, self.x), times(sin, self.y)),
+            _minus(times(cos, self.y), times(sin, self.x)),
             self.z,
         )
 

@@ -223,18 +223,21 @@ def _build(arm: SerialArm) -> Any:
     model = pin.Model()
     model.name = arm.name
     parent, placement = 0, arm.base
+    armature: list[float] = []
     for joint, link in zip(arm.joints, arm.links, strict=True):
         kind = (
             pin.JointModelPrismaticUnaligned
             if joint.kind == "prismatic"
             else pin.JointModelRevoluteUnaligned
         )
+        armature.append(joint.armature)
         parent = model.addJoint(parent, kind(joint.axis), _se3(placement), joint.name)
         # Through the ten parameters: `pin.Inertia(m, c, I)` refuses a tensor that no body could
         # have, and the laws hold for those too.
         inertia = pin.Inertia.FromDynamicParameters(link.inertia.parameters())
         model.appendBodyToJoint(parent, inertia, _se3(link.far_end))
         placement = link.far_end
+    model.armature = np.array(armature)
     body = pin.FrameType.OP_FRAME
     model.addFrame(pin.Frame(arm.source.base, 0, 0, pin.SE3.Identity(), body))
     model.addFrame(pin.Frame(arm.source.tip, parent, 0, _se3(placement), body))

@@ -70,6 +70,11 @@ def _header(arm: SerialArm) -> list[str]:
             f"URDF cannot carry gravity: this arm's is ({triple(arm.gravity)}) m/s² in the frame "
             f"of {arm.source.base!r}; give it to whatever reads this file."
         )
+    if arm.armature.any():
+        lines.append(
+            f"URDF cannot carry motor inertia: this arm's joints have "
+            f"{', '.join(f'{value:g}' for value in arm.armature)} kg m²."
+        )
     unknown = [
         f"{joint.name} {', '.join(missing)}"
         for joint in arm.joints

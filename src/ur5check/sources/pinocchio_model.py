@@ -114,7 +114,8 @@ def _joint(model: Any, i: int) -> Joint:
         velocity=_finite(model.upperVelocityLimit[index]),
         effort=_finite(model.upperEffortLimit[index]),
     )
-    return Joint(model.names[i], axis, kind, limits)  # type: ignore[arg-type]
+    armature = float(model.armature[model.joints[i].idx_v])
+    return Joint(model.names[i], axis, kind, limits, armature)  # type: ignore[arg-type]
 
 
 def _axis(model: Any, i: int) -> tuple[Array, str]:
