@@ -97,7 +97,7 @@ def _not_skew(rate_of_mass: Array, C: Array) -> Array:
 
 
 def _skew(s: Subject) -> Measurement:
-    return Measurement(_not_skew(_rate_of_mass(s), s.C), s.rate_size)
+    return Measurement(_not_skew(_rate_of_mass(s), s.C), s.polarised_size)
 
 
 def _skew_referee(s: Subject) -> Measurement:

@@ -97,8 +97,13 @@ class Subject:
 
     @cached_property
     def rate_size(self) -> float:
-        """Size of a velocity torque matrix, [N m s]: M times the fastest joint.
+        """Size of a velocity torque matrix, [N m s]: M times the fastest joint."""
+        return self.mass_size * float(np.abs(self.states.qd).max())
 
-        Our C is a difference of velocity torques at q̇ ± one unit, and is rounded as those are.
+    @cached_property
+    def polarised_size(self) -> float:
+        """The same of our own C [N m s], a difference of velocity torques at q̇ ± one unit.
+
+        It is rounded as those are, however slowly the arm moves.
         """
-        return self.mass_size * (1.0 + float(np.abs(self.states.qd).max()))
+        return self.rate_size + self.mass_size
