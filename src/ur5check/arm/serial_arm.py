@@ -53,6 +53,8 @@ class Joint:
 
     armature : inertia of the joint's own motor, seen through its gear, [kg m²] or [kg].  It resists
         the joint's acceleration and nothing else: τ_i += armature · q̈_i
+    damping, friction : of the joint's bearing, [N m s/rad] and [N m], or [N s/m] and [N].  Held
+        for audits and simulations; the recursion is about rigid bodies and leaves both out
     """
 
     name: str
@@ -60,6 +62,8 @@ class Joint:
     kind: Literal["revolute", "prismatic"] = "revolute"
     limits: Limits = field(default_factory=Limits)
     armature: float = 0.0
+    damping: float = 0.0
+    friction: float = 0.0
 
     def __post_init__(self) -> None:
         axis = frozen(self.axis, (3,))

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 from ..arm.serial_arm import SerialArm
 from ..arm.states import States
 from ..arm.transforms import Array
-from ..engines.engine import Engine
+from ..engines.engine import Referee
 
 __all__ = ["OwnDynamics", "Subject"]
 
 Numbers = NDArray[Any]
 
 
-class OwnDynamics(Engine, Protocol):
+class OwnDynamics(Referee, Protocol):
     """An engine that also knows its energies and takes complex states: ours."""
 
     def kinetic_energy(self, q: Numbers, qd: Numbers) -> Numbers:
@@ -41,7 +41,7 @@ class Subject:
 
     arm: SerialArm
     own: OwnDynamics
-    referee: Engine
+    referee: Referee
     states: States
     gravity: Array
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ..arm.serial_arm import SerialArm
 from ..arm.states import States, random_states
 from ..comparison.difference import Difference, compare, under_gravity
-from ..engines.engine import Engine
+from ..engines.engine import Referee
 from ..engines.own import OwnEngine
 from ..sources.loading import ArmSource, load
 from .check import Outcome, run
@@ -125,7 +125,7 @@ def validate(
     return Validation(tuple(validated), tuple(pairs), samples, seed)
 
 
-def validate_arm(arm: SerialArm, referee: Engine, states: States) -> ModelValidation:
+def validate_arm(arm: SerialArm, referee: Referee, states: States) -> ModelValidation:
     """Every law, and every body, of one arm."""
     subject = Subject(arm, OwnEngine(arm), referee, states, arm.gravity)
     outcomes = tuple(
@@ -135,7 +135,7 @@ def validate_arm(arm: SerialArm, referee: Engine, states: States) -> ModelValida
 
 
 def _validate_pair(
-    a: SerialArm, b: SerialArm, referee: Engine, samples: int, seed: int
+    a: SerialArm, b: SerialArm, referee: Referee, samples: int, seed: int
 ) -> PairValidation:
     states = random_states(a.n, samples, seed)
     difference = compare(a, b, states, seed)

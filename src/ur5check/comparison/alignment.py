@@ -114,6 +114,8 @@ def arm_in_coordinates_of(a: SerialArm, b: SerialArm, alignment: Alignment) -> S
                 joint.kind,
                 _limits(joint.limits, sign, offset),
                 joint.armature,
+                joint.damping,
+                joint.friction,
             )
         )
         links.append(replace(link, far_end=joint.motion(offset) @ link.far_end))

@@ -15,6 +15,7 @@ from ..arm.serial_arm import SerialArm
 from ..dynamics import equations, kinematics, newton_euler, regressor
 from ..dynamics.batching import gravity_of
 from ..version import __version__
+from .holdings import Holdings, strict_holdings
 
 __all__ = ["OwnEngine"]
 
@@ -22,7 +23,7 @@ Numbers = NDArray[Any]
 
 
 class OwnEngine:
-    """The recursion of `dynamics` on one arm; satisfies `engine.Engine`, on complex states too.
+    """The recursion of `dynamics` on one arm; satisfies `engine.Referee`, on complex states too.
 
     arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
     """
@@ -74,3 +75,7 @@ class OwnEngine:
     def potential_energy(self, q: Numbers) -> Numbers:
         """U, shape (...) [J]."""
         return equations.potential_energy(self.arm, q, self.gravity)
+
+    def holdings(self) -> Holdings:
+        """Our own reading, in the words that engines use of theirs."""
+        return strict_holdings(self.arm)

@@ -15,16 +15,17 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from ..arm.inertia import parameter_map
-from ..arm.serial_arm import SerialArm
+from ..arm.inertia import Inertia, parameter_map
+from ..arm.serial_arm import Joint, Limits, SerialArm
 from ..arm.transforms import Array, Transform
 from ..errors import EngineError
+from .holdings import HeldBody, Holdings
 
 __all__ = ["PinocchioEngine"]
 
 
 class PinocchioEngine:
-    """Pinocchio's algorithms on one arm; satisfies `engine.Engine`.
+    """Pinocchio's algorithms on one arm; satisfies `engine.Referee`.
 
     arm : the arm to referee;  gravity : in its base frame [m/s²], the arm's own when None.
 
@@ -54,6 +55,7 @@ class PinocchioEngine:
         # Gravity is given in the arm's base frame, which need not be Pinocchio's world.
         pin.framesForwardKinematics(self.model, self.data, pin.neutral(self.model))
         self._T_base_world = self.data.oMf[self._base].inverse()
+        self._gravity_read = self._T_base_world.rotation @ self.model.gravity.linear
         g = np.asarray(arm.gravity if gravity is None else gravity, dtype=np.float64)
         self.model.gravity.linear = self._T_base_world.rotation.T @ g
         self._parameters_here = _parameter_maps(arm)
@@ -148,6 +150,54 @@ class PinocchioEngine:
             return np.hstack(blocks)
 
         return self._each(regressor, (self.arm.n, 10 * self.arm.n), q, qd, qdd)
+
+    def holdings(self) -> Holdings:
+        """What `pin.Model` has kept: one inertia a joint, links fixed to it merged into it."""
+        pin.forwardKinematics(self.model, self.data, pin.neutral(self.model))
+        in_order = sorted(self._joints, key=lambda joint: joint.id)
+        carried_by = {joint.id: i for i, joint in enumerate(self._joints)}
+        bodies = [
+            HeldBody(
+                str(self.model.names[k]),
+                carried_by.get(k),
+                Inertia(body.mass, body.lever, body.inertia).expressed_in(self._pose(k)),
+            )
+            for k, body in enumerate(self.model.inertias)
+            if body.mass or k
+        ]
+        return Holdings(
+            tuple(self._held_joint(joint) for joint in in_order),
+            tuple(bodies),
+            self._gravity_read,
+            self.forward_kinematics(np.zeros(self.arm.n)),
+            sum(joint.nq for joint in self._joints),
+        )
+
+    def _pose(self, joint: int) -> Transform:
+        placed = self._T_base_world * self.data.oMi[joint]
+        return Transform(placed.rotation, placed.translation)
+
+    def _held_joint(self, joint: Any) -> Joint:
+        model, v, x = self.model, joint.idx_v, joint.idx_q
+        fresh = joint.createData()
+        joint.calc(fresh, pin.neutral(model))
+        S = np.asarray(fresh.S, dtype=np.float64).reshape(6)
+        sliding = bool(S[:3].any())
+        position = joint.nq == 1
+        return Joint(
+            str(model.names[joint.id]),
+            self._pose(joint.id).R @ (S[:3] if sliding else S[3:]),
+            "prismatic" if sliding else "revolute",
+            Limits(
+                _finite(model.lowerPositionLimit[x]) if position else None,
+                _finite(model.upperPositionLimit[x]) if position else None,
+                _finite(model.upperVelocityLimit[v]),
+                _finite(model.upperEffortLimit[v]),
+            ),
+            float(model.armature[v]),
+            float(model.damping[v]),
+            float(model.upperDryFrictionLimit[v]),
+        )
 
     def _frame(self, name: str) -> int:
         # A URDF may give a link and a joint the same name: the link's frame is meant.
@@ -254,3 +304,8 @@ def _parameter_maps(arm: SerialArm) -> list[Array]:
     Pinocchio's joint frame stands where the joint is, ours at the far end of the link: P_i apart.
     """
     return [parameter_map(link.far_end) for link in arm.links]
+
+
+def _finite(value: float) -> float | None:
+    """A limit, or None where Pinocchio writes infinity or the largest double for "none"."""
+    return float(value) if abs(value) < np.finfo(np.float64).max else None

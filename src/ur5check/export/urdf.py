@@ -129,6 +129,9 @@ def _joint_lines(
             for key, value in limits.items()
         )
         lines.append(f"    <limit {written}/>")
+    if joint.damping or joint.friction:
+        losses = f'damping="{exact(joint.damping)}" friction="{exact(joint.friction)}"'
+        lines.append(f"    <dynamics {losses}/>")
     return [*lines, "  </joint>"]
 
 

@@ -114,8 +114,10 @@ def _joint(model: Any, i: int) -> Joint:
         velocity=_finite(model.upperVelocityLimit[index]),
         effort=_finite(model.upperEffortLimit[index]),
     )
-    armature = float(model.armature[model.joints[i].idx_v])
-    return Joint(model.names[i], axis, kind, limits, armature)  # type: ignore[arg-type]
+    motor = (
+        float(of[index]) for of in (model.armature, model.damping, model.upperDryFrictionLimit)
+    )
+    return Joint(model.names[i], axis, kind, limits, *motor)  # type: ignore[arg-type]
 
 
 def _axis(model: Any, i: int) -> tuple[Array, str]:

@@ -19,7 +19,7 @@ __all__ = ["Robot"]
 # dynamics, and nothing is to be fetched for it.
 _KEPT = {
     "link": ("inertial",),
-    "joint": ("origin", "axis", "parent", "child", "limit", "mimic"),
+    "joint": ("origin", "axis", "parent", "child", "limit", "dynamics", "mimic"),
 }
 
 
@@ -75,7 +75,15 @@ class Robot:
         kind: Literal["revolute", "prismatic"] = (
             "prismatic" if edge.kind == "prismatic" else "revolute"
         )
-        return Joint(parsed.name, parsed.axis, kind, limits)
+        losses = parsed.dynamics
+        return Joint(
+            parsed.name,
+            parsed.axis,
+            kind,
+            limits,
+            damping=float((losses and losses.damping) or 0.0),  # URDF: left out, they are 0
+            friction=float((losses and losses.friction) or 0.0),
+        )
 
     def inertia(self, link: str) -> Inertia | None:
         """A link's own inertia, in the link's frame; None where it has no `<inertial>`."""

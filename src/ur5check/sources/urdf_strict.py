@@ -144,6 +144,7 @@ def _check_joint(
             remedy = "write the direction in the joint's frame, such as 0 0 1"
             reader.fail(axis, f"{owner} axis", "is zero", remedy, axis.get("xyz"))
     _check_limit(owner, kind, joint, reader)
+    _check_losses(owner, joint, reader)
     mimic = reader.child(joint, "mimic", owner)
     if mimic is not None:
         followed = mimic.get("joint")
@@ -153,6 +154,17 @@ def _check_joint(
             reader.fail(mimic, f"{owner} mimic", problem, remedy, followed)
         for attribute in ("multiplier", "offset"):
             reader.optional_number(mimic, attribute, f"{owner} mimic")
+
+
+def _check_losses(owner: str, joint: Element, reader: ElementReader) -> None:
+    losses = reader.child(joint, "dynamics", owner)
+    if losses is None:
+        return
+    for key in ("damping", "friction"):
+        value = reader.optional_number(losses, key, f"{owner} dynamics")
+        if value is not None and value < 0.0:
+            remedy = "a bearing takes energy, it gives none: write it positive"
+            reader.fail(losses, f"{owner} dynamics {key}", "is negative", remedy, losses.get(key))
 
 
 def _check_limit(owner: str, kind: str, joint: Element, reader: ElementReader) -> None:
