@@ -29,6 +29,7 @@ COMMANDS = {
     "diff": "what differs between two models, by how many newton metres, and why",
     "show": "a model as ur5check understands it",
     "expand": "a xacro as the URDF that it stands for",
+    "export": "a package that hands an arm to Gazebo, torque-driven",
 }
 
 _EXAMPLES = """\

@@ -1,0 +1,103 @@
+"""Write an arm as a package for a simulator: Gazebo, under ROS 2 and ROS 1."""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+from typing import TYPE_CHECKING
+
+from ..errors import UsageError
+from .options import MODELS, ModelOptions, add_model_options, progress
+
+if TYPE_CHECKING:
+    from ..handover.package import GazeboHandover, Ros
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = f"""\
+examples:
+  ur5check export gazebo ur5_in_gazebo
+  ur5check export gazebo pendulum --model pendulum.urdf --pose 0.5 --ros 2
+
+{MODELS}
+"""
+
+#: Case 9 of the paper [rad]: the posture whose torque it sends to Gazebo.
+_CASE_9 = (0.0, 0.9, -1.0, 1.0, 3.5, -1.9)
+
+_ROS: dict[str, tuple[Ros, ...]] = {"1": ("1",), "2": ("2",), "both": ("1", "2")}
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `export` takes."""
+    parser.add_argument("to", choices=("gazebo",), metavar="gazebo", help="the simulator")
+    parser.add_argument("folder", metavar="DIR", help="a new or empty folder for the packages")
+    parser.add_argument("--model", default="appendix", help="default: appendix")
+    parser.add_argument("--ros", choices=tuple(_ROS), default="both", help="default: both")
+    parser.add_argument(
+        "--pose",
+        type=float,
+        nargs="+",
+        metavar="Q",
+        help="where the arm starts, and what the torque holds [rad, m] (default: the paper's case "
+        "9, for an arm of six joints)",
+    )
+    add_model_options(parser, ("",))
+    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Write the packages; say where they are and what torque they publish."""
+    from ..handover.folder import check_folder, write_folder
+    from ..handover.package import gazebo_handover
+    from ..sources.catalog import CATALOG
+    from ..sources.packages import default_packages
+    from .output import emit
+
+    check_folder(args.folder)
+    options = ModelOptions.of(args, (args.model,))
+    (arm,) = options.load(quiet=args.quiet)
+    if args.pose is None and arm.n != len(_CASE_9):
+        raise UsageError(
+            f"{args.model} has {arm.n} joints, the paper's case 9 has 6; give --pose Q1 … Q{arm.n}"
+        )
+    entry = CATALOG.get(args.model)
+    handover = gazebo_handover(
+        arm,
+        _CASE_9 if args.pose is None else args.pose,
+        ros=_ROS[args.ros],
+        packages=default_packages().with_packages(options.packages),
+        file=str(entry.path()) if entry else args.model,
+        licence=entry.licence if entry else "that of its own file",
+        command=_command(args),
+    )
+    write_folder(args.folder, handover.files, handover.programs)
+    emit(_said(args.folder, arm.joint_names, handover), None)
+    for note in handover.notes:
+        progress(args.quiet, note)
+    return 0
+
+
+def _said(folder: str, names: tuple[str, ...], handover: GazeboHandover) -> str:
+    """What a reader needs next: which file to open, and what to expect."""
+    width = max(map(len, names))
+    lines = [f"{folder}: {len(handover.files)} files; {folder}/README.md says how to run them"]
+    lines += [f"{'joint':{width}}  {'start':>9}  {'torque':>9}", f"{'':{width}}  {'rad, m':>9}  N m, N"]
+    lines += [
+        f"{name:{width}}  {q:9.4f}  {tau:9.4f}"
+        for name, q, tau in zip(names, handover.start, handover.tau, strict=True)
+    ]
+    return "\n".join([*lines, ""])
+
+
+def _command(args: argparse.Namespace) -> str:
+    """The command that writes these files again."""
+    words = ["ur5check", "export", args.to, args.folder, "--model", args.model, "--ros", args.ros]
+    words += [] if args.pose is None else ["--pose", *map(repr, args.pose)]
+    for option in ("base", "tip"):
+        value = getattr(args, option)
+        words += [] if value is None else [f"--{option}", value]
+    for option in ("package", "arg"):
+        for text in getattr(args, option):
+            words += [f"--{option}", text]
+    return shlex.join(words)
