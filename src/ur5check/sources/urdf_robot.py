@@ -60,6 +60,10 @@ class Robot:
         """Pose of the child's frame in the parent's, at q = 0."""
         return self._pose(self._nodes["joint"][edge.joint], self._joints[edge.joint].origin)
 
+    def carried(self, edge: Edge) -> Transform:
+        """A URDF's link has its frame where its joint is."""
+        return Transform.identity()
+
     def joint(self, edge: Edge) -> Joint:
         parsed = self._joints[edge.joint]
         limit, bounded = parsed.limit, edge.kind != "continuous"
