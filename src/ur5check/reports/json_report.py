@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from ..arm.serial_arm import SerialArm
@@ -15,8 +13,8 @@ from ..comparison.difference import Difference
 from ..comparison.story import tell as tell_difference
 from ..explanation.explanation import Explanation
 from .explanation_json import attribution_value, explanation_value
-from .json_values import Report, inertia_value, joint_value, model_value, strict
-from .provenance import Provenance, inputs_of
+from .json_head import json_head
+from .json_values import Report, alignment_value, inertia_value, joint_value, model_value, strict
 
 __all__ = ["arm_json", "difference_json", "validation_json"]
 
@@ -26,7 +24,7 @@ def validation_json(v: Validation, *, command: str = "") -> Report:
     arms = [model.arm for model in v.models]
     return strict(
         {
-            **_head("validation", arms, command, v.seed, v.samples),
+            **json_head("validation", arms, command, v.seed, v.samples),
             "verdict": {
                 "passed": v.passed,
                 "algorithm": v.algorithm_right,
@@ -53,7 +51,7 @@ def difference_json(
 ) -> Report:
     """`diff` as ur5check.difference/1; its explanation and finer attribution where given."""
     arms = [d.pair.a, d.pair.given_b]
-    head = _head("difference", arms, command, d.seed, len(d.states))
+    head = json_head("difference", arms, command, d.seed, len(d.states))
     explained = {} if explanation is None else explanation_value(explanation)
     finer = {} if parameters is None else {"by_parameter": attribution_value(parameters)}
     return strict({**head, **_difference(d), **explained, **finer})
@@ -63,7 +61,7 @@ def arm_json(arm: SerialArm, *, command: str = "") -> Report:
     """`show` as ur5check.arm/1."""
     return strict(
         {
-            **_head("arm", [arm], command),
+            **json_head("arm", [arm], command),
             **model_value(arm),
             "gravity": arm.gravity,
             "base_transform": arm.base.matrix(),
@@ -79,23 +77,6 @@ def arm_json(arm: SerialArm, *, command: str = "") -> Report:
             ],
         }
     )
-
-
-def _head(
-    kind: str,
-    arms: Iterable[SerialArm],
-    command: str,
-    seed: int | None = None,
-    samples: int | None = None,
-) -> Report:
-    made = Provenance(inputs_of(arms), seed, samples, command)
-    head: Report = {
-        "schema": f"ur5check.{kind}/1",
-        "tool": {"name": "ur5check", "version": made.version, "libraries": made.libraries},
-        "command": made.command or None,
-        "inputs": [{"name": name, "sha256": digest} for name, digest in made.inputs],
-    }
-    return head if samples is None else {**head, "seed": seed, "samples": samples}
 
 
 def _check(o: Outcome) -> Report:
@@ -117,23 +98,12 @@ def _check(o: Outcome) -> Report:
 
 
 def _difference(d: Difference) -> Report:
-    alignment = d.pair.alignment
     return {
         "agrees": d.agrees,
         "story": tell_difference(d),
         "a": model_value(d.pair.a),
         "b": model_value(d.pair.given_b),
-        "alignment": {
-            "exact": alignment.exact,
-            "T_ab": alignment.T_ab.matrix(),
-            "signs": alignment.signs,
-            "offsets": alignment.offsets,
-            "axis_angle": alignment.axis_angle,
-            "axis_distance": alignment.axis_distance,
-            "tool": alignment.tool.matrix(),
-            "unknown": alignment.unknown,
-            "notes": alignment.notes,
-        },
+        "alignment": alignment_value(d.pair.alignment),
         "kinematics": {
             "position_max": d.tool.position,
             "angle_max": d.tool.angle,
