@@ -10,8 +10,17 @@ import numpy as np
 
 from ..arm.inertia import Inertia
 from ..arm.serial_arm import Joint, SerialArm
+from ..comparison.alignment import Alignment
 
-__all__ = ["Report", "inertia_value", "joint_value", "json_text", "model_value", "strict"]
+__all__ = [
+    "Report",
+    "alignment_value",
+    "inertia_value",
+    "joint_value",
+    "json_text",
+    "model_value",
+    "strict",
+]
 
 Report = dict[str, Any]
 
@@ -51,6 +60,21 @@ def joint_value(joint: Joint) -> Report:
             "velocity": limits.velocity,
             "effort": limits.effort,
         },
+    }
+
+
+def alignment_value(alignment: Alignment) -> Report:
+    """How b was laid along a."""
+    return {
+        "exact": alignment.exact,
+        "T_ab": alignment.T_ab.matrix(),
+        "signs": alignment.signs,
+        "offsets": alignment.offsets,
+        "axis_angle": alignment.axis_angle,
+        "axis_distance": alignment.axis_distance,
+        "tool": alignment.tool.matrix(),
+        "unknown": alignment.unknown,
+        "notes": alignment.notes,
     }
 
 
