@@ -32,13 +32,18 @@ MAY_IMPORT = {
     "explanation": {
         "arm", "comparison", "plausibility", "identifiability", "digits", "diagnosis", "worst_case",
     },
+    "paper": {
+        "arm", "sources", "dynamics", "engines", "comparison", "diagnosis", "digits", "errors",
+    },
+    "figures": {"arm", "paper", "errors"},
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
     "reports": {
         "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
-        "worst_case", "explanation", "checks", "errors", "version",
+        "worst_case", "explanation", "paper", "checks", "errors", "version",
     },
     "cli": {
-        "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "checks", "export",
+        "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
+        "export", "figures",
         "reports", "errors", "version",
     },
 }  # fmt: skip

@@ -1,0 +1,105 @@
+"""Do again what the paper did (SSRN 3939013), and say of each of its claims what came of it:
+confirmed, confirmed only after a repair, or refuted.
+
+Exit code 0 if it was reproduced (a refuted claim is a finding, no failure), 1 if our recursion and
+Pinocchio do not agree on the appendix, so that nothing can be believed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import UsageError
+from .options import add_output_options, progress
+from .output import check_output, emit, format_of, rendered
+
+if TYPE_CHECKING:
+    from ..paper.reproduction import Reproduction
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = """\
+examples:
+  ur5check paper
+  ur5check paper --figures figures -o paper.md
+"""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `paper` takes."""
+    parser.add_argument(
+        "--figures",
+        metavar="DIR",
+        help="draw the nine cases there, as SVG and PNG (needs ur5check[figures])",
+    )
+    add_output_options(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Reproduce, report, draw, and say whether it can be believed."""
+    from ..paper.reproduction import reproduce
+    from ..reports.paper_document import paper_document
+    from ..reports.paper_json import paper_json
+
+    check_output(args.output, _inputs())
+    folder = None if args.figures is None else _folder(args.figures)
+    r = reproduce(lambda line: progress(args.quiet, line))
+    pictures = {} if folder is None else _pictures(r, quiet=args.quiet)
+    command = shlex.join(["ur5check", "paper"])
+    form = format_of(args.format, args.output)
+    text = rendered(
+        form,
+        args.output,
+        document=lambda: paper_document(r, written_out=form == "markdown", command=command),
+        report=lambda: paper_json(r, command=command),
+    )
+    if folder is not None:
+        _write(folder, pictures)
+        progress(args.quiet, f"drew {len(pictures)} pictures in {args.figures}")
+    emit(text, args.output)
+    return 0 if r.trustworthy else 1
+
+
+def _inputs() -> list[Path]:
+    from ..sources.catalog import CATALOG
+
+    return [entry.path() for entry in CATALOG.values()]
+
+
+def _folder(given: str) -> Path:
+    """The folder for pictures; UsageError, before any work is done, if there cannot be one."""
+    from ..figures.style import matplotlib
+
+    matplotlib()
+    folder = Path(given)
+    if folder.exists() and not folder.is_dir():
+        raise UsageError(f"--figures {given}: is no folder; name one")
+    if not folder.resolve().parent.is_dir():
+        above = str(folder.resolve().parent)
+        raise UsageError(f"--figures {given}: there is no folder {above!r}; make it first")
+    return folder
+
+
+def _pictures(r: Reproduction, *, quiet: bool) -> dict[str, bytes]:
+    """File name and content of every picture: drawn before the first is written."""
+    from ..figures.case_figure import draw_case
+    from ..figures.files import as_png, as_svg
+    from ..figures.overview import draw_overview
+
+    progress(quiet, "drawing")
+    drawn = {f"paper-case-{k}": draw_case(r, k) for k in range(1, 10)}
+    drawn["paper-all-cases"] = draw_overview(r)
+    pictures = {f"{name}.svg": as_svg(figure) for name, figure in drawn.items()}
+    return pictures | {f"{name}.png": as_png(figure) for name, figure in drawn.items()}
+
+
+def _write(folder: Path, pictures: dict[str, bytes]) -> None:
+    try:
+        folder.mkdir(exist_ok=True)
+        for name, content in pictures.items():
+            (folder / name).write_bytes(content)
+    except OSError as error:
+        raise UsageError(f"--figures {folder}: cannot be written: {error.strerror}") from None

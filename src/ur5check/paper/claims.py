@@ -1,0 +1,40 @@
+"""Every claim of the paper that is put to the test, in the order of the paper.
+
+A claim is a function from the evidence to outcomes.  To add a family, write a file of such
+functions and name them here: one line each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from .claim import ClaimOutcome
+from .curve_claims import as_expected, posture_torque, sine, zero_and_constant
+from .evidence import Evidence
+from .load_claims import because_light, less_than_case_2, low
+from .number_claims import (
+    across_the_axis,
+    along_the_axis,
+    tensors_lie_along_links,
+    vectors_from_dh,
+)
+from .soft_limits import soft_limits
+
+__all__ = ["CLAIMS", "ClaimFunction"]
+
+ClaimFunction = Callable[[Evidence], Iterable[ClaimOutcome]]
+
+CLAIMS: tuple[ClaimFunction, ...] = (
+    vectors_from_dh,
+    across_the_axis,
+    along_the_axis,
+    tensors_lie_along_links,
+    sine,
+    as_expected,
+    less_than_case_2,
+    zero_and_constant,
+    low,
+    because_light,
+    posture_torque,
+    soft_limits,
+)

@@ -1,0 +1,113 @@
+"""What the paper says of its curves' shapes: a sine, as expected, zero and constant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .cases import CASES
+from .claim import Claim, ClaimOutcome, Trial, judged
+from .evidence import Evidence
+from .runs import Run
+
+__all__ = ["as_expected", "posture_torque", "sine", "zero_and_constant"]
+
+
+def sine(evidence: Evidence) -> Iterator[ClaimOutcome]:
+    """Cases 1 and 5: the torque is a sine."""
+    for case in (case for case in CASES if case.claim == "a sine curve"):
+        claim = Claim(
+            f"case-{case.number}-sine",
+            f"Case {case.number}: τ{case.watched} is a sine curve",
+            "offset and what a sine leaves of the curve, as parts of the amplitude: rounding only",
+            f"test case {case.number}",
+            "1",
+        )
+        yield from judged(claim, map(sine_trial, evidence.of(case.number)))
+
+
+def sine_trial(run: Run) -> Trial:
+    """One curve held against its sine.  No amplitude is no sine."""
+    fit = run.harmonic
+    if fit is None or fit.amplitude <= run.rounding:
+        return _trial(run, float("nan"), 0.0, "there is no curve")
+    why = f"amplitude {fit.amplitude:.4g} N m"
+    return _trial(run, fit.departure, 2.0 * run.rounding / fit.amplitude, why)
+
+
+def as_expected(evidence: Evidence) -> Iterator[ClaimOutcome]:
+    """Cases 1 to 8: the torque is what the weights ask for.
+
+    The paper says "as expected" of every curve, and not what it expected.  A motor at rest holds
+    weights; so that is what can be expected, and it comes from levers, not from the recursion.
+    """
+    for case in (case for case in CASES if case.watched is not None):
+        claim = Claim(
+            f"case-{case.number}-expected",
+            f"Case {case.number}: τ{case.watched} is as expected",
+            "largest distance from the moment of the model's own weights on the UR5's geometry: at "
+            "most 1 % of its peak, less than a plot shows",
+            f"test case {case.number}",
+            "N m",
+        )
+        yield from judged(claim, map(expectation_trial, evidence.of(case.number)))
+
+
+def expectation_trial(run: Run) -> Trial:
+    """The watched torque held against the weights."""
+    if run.as_expected:
+        why = f"peak {run.peak:.4g} N m" if run.expected_peak else "there is no weight to hold"
+    elif not run.expected_peak:
+        why = f"peak {run.peak:.4g} N m, with no weight to hold"
+    else:
+        turned = ", the wrong way round" if run.opposed else ""
+        part = 100.0 * (run.peak / run.expected_peak - 1.0)
+        size = f"{abs(part):.0f} % too {'large' if part > 0.0 else 'small'}"
+        why = f"peak {run.peak:.4g} for {run.expected_peak:.4g} N m: {size}{turned}"
+    return _trial(run, run.error, run.tolerance, why)
+
+
+def zero_and_constant(evidence: Evidence) -> Iterator[ClaimOutcome]:
+    """Case 4: no torque about a vertical axis."""
+    claim = Claim(
+        "case-4-zero",
+        "Case 4: τ1 is zero and constant",
+        "largest torque over the turn: rounding of the torques that the other joints bear",
+        "test case 4",
+        "N m",
+    )
+    yield from judged(claim, map(zero_trial, evidence.of(4)))
+
+
+def zero_trial(run: Run) -> Trial:
+    """No torque at all, all along."""
+    largest = float(abs(run.watched).max())
+    return _trial(run, largest, run.rounding, "gravity lies along the axis")
+
+
+def posture_torque(evidence: Evidence) -> Iterator[ClaimOutcome]:
+    """Case 9: the torques that were sent to the simulator are those that hold the arm."""
+    claim = Claim(
+        "case-9-holds",
+        "Case 9: the torques sent to the simulator hold the arm",
+        "largest distance, over the six joints, from the moment of the model's own weights: at "
+        "most 1 % of its largest",
+        "test case 9",
+        "N m",
+    )
+    yield from judged(claim, map(posture_trial, evidence.of(9)))
+
+
+def posture_trial(run: Run) -> Trial:
+    """Six torques held against the weights."""
+    shown = run.expected_watched if run.as_expected else run.watched - run.expected_watched
+    joint = int(abs(shown).argmax())
+    tau, wanted = run.watched[joint], run.expected_watched[joint]
+    why = f"τ{joint + 1} = {tau:+.4g} N m"
+    if not run.as_expected:
+        turned = ": the wrong sign" if tau * wanted < 0.0 else ""
+        why += f" for {wanted:+.4g} N m{turned}"
+    return _trial(run, run.error, run.tolerance, why)
+
+
+def _trial(run: Run, value: float, limit: float, why: str) -> Trial:
+    return Trial(run.model.name, run.model.form, value, limit, why)

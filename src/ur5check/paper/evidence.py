@@ -1,0 +1,59 @@
+"""Everything that was computed for the claims; every claim looks at some of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from .cases import CASES
+from .inertia_formulas import TensorFormula, tensor_formulas
+from .models import PRINTED, REPAIRED, Model, load_models
+from .runs import Run, run_case
+from .slips import Slips, find_slips
+
+__all__ = ["Evidence", "Progress", "gather"]
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """What the claims are judged by.
+
+    models : who was asked;  runs : each case for each model, case by case
+    slips : the listing's own mistakes, found by diagnosis, and the listing less these
+    formulas : of each printed tensor, which formula made it
+    say : takes a line before each longer step
+    """
+
+    models: tuple[Model, ...]
+    runs: tuple[Run, ...]
+    slips: Slips
+    formulas: tuple[TensorFormula, ...]
+    say: Progress
+
+    def model(self, name: str) -> Model:
+        """By its name."""
+        return next(model for model in self.models if model.name == name)
+
+    def of(self, number: int) -> Iterator[Run]:
+        """A case, model by model."""
+        return (run for run in self.runs if run.case.number == number)
+
+    def run(self, number: int, model: str) -> Run:
+        """One case for one model."""
+        return next(run for run in self.of(number) if run.model.name == model)
+
+
+def gather(say: Progress) -> Evidence:
+    """Read the models, run the cases, look for slips and formulas."""
+    say("reading the paper's tables, its listing, its appendix and another UR5")
+    models = load_models()
+    say(f"running {len(CASES)} cases for {len(models)} models")
+    runs = tuple(run_case(case, model) for case in CASES for model in models)
+    arms = {model.name: model.arm for model in models}
+    say("looking for the listing's slips")
+    slips = find_slips(arms[PRINTED], arms[REPAIRED])
+    say("looking for the formula behind each inertia tensor")
+    formulas = tensor_formulas(arms[PRINTED], arms["appendix"])
+    return Evidence(models, runs, slips, formulas, say)

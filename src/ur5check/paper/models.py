@@ -1,0 +1,76 @@
+"""Who is asked: five answers to every case, four from our recursion and one from Pinocchio.
+
+paper-listing           the paper's program as printed
+paper                   the same numbers on the geometry of its own Table 1: the repair
+appendix                the xacro of its appendix
+erd-ur5                 the UR5 of example-robot-data, which others use
+appendix by Pinocchio   the same URDF text, read and computed by the referee
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..comparison.pair import pair_up
+from ..dynamics.equations import gravity_torque
+from ..engines.engine import Engine
+from ..sources.loading import load
+
+__all__ = ["PINOCCHIO", "PRINTED", "REPAIRED", "Form", "Model", "load_models", "referee_model"]
+
+#: Whether a trial is of what the paper printed, of the same mended, or of something else.
+Form = Literal["printed", "repaired", "other"]
+
+PRINTED, REPAIRED, PINOCCHIO = "paper-listing", "paper", "appendix by Pinocchio"
+
+_FORMS: dict[str, Form] = {
+    PRINTED: "printed",
+    REPAIRED: "repaired",
+    "appendix": "other",
+    "erd-ur5": "other",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """An arm, and who computes it.
+
+    arm : as it was read
+    true_arm : the same inertias on the UR5's geometry, at 9.81 m/s²: for what a torque should be
+    torque : g(q) of shape (..., n) [N m], for q of shape (..., n) [rad]
+    """
+
+    name: str
+    form: Form
+    arm: SerialArm
+    true_arm: SerialArm
+    torque: Callable[[Array], Array]
+
+
+def load_models() -> tuple[Model, ...]:
+    """All five, what is printed first.
+
+    The UR5's geometry is that of Table 1 with the controller's values.  `comparison.pair` carries
+    each model's inertias there: in space where the axes coincide, number by number where, as in the
+    listing, signs are lost and they do not.
+    """
+    table_1 = load(REPAIRED)
+    models = [_own(load(name), form, table_1) for name, form in _FORMS.items()]
+    appendix = models[2]
+    from ..engines.pinocchio import PinocchioEngine
+
+    return (*models, referee_model(appendix, PinocchioEngine(appendix.arm)))
+
+
+def referee_model(appendix: Model, referee: Engine) -> Model:
+    """The appendix again, computed by a referee."""
+    return Model(PINOCCHIO, "other", appendix.arm, appendix.true_arm, referee.gravity_torque)
+
+
+def _own(arm: SerialArm, form: Form, table_1: SerialArm) -> Model:
+    true_arm = pair_up(table_1, arm).arm(geometry="a", inertias="b", gravity="a")
+    return Model(arm.name, form, arm, true_arm, lambda q: gravity_torque(arm, q))

@@ -1,0 +1,91 @@
+"""`ur5check paper`: do again what the paper did, and say of each claim what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from .claim import Claim, ClaimOutcome, Verdict, overall
+from .claims import CLAIMS, ClaimFunction
+from .evidence import Evidence, Progress, gather
+from .inertia_formulas import TensorFormula
+from .models import PINOCCHIO, PRINTED, REPAIRED
+from .runs import Run
+from .slips import SlipEffect, Slips, slip_effect
+
+__all__ = ["Reproduction", "judge", "reproduce"]
+
+
+@dataclass(frozen=True, eq=False)
+class Reproduction:
+    """Everything that came of the paper; `reports` and `figures` show it.
+
+    cases : each case for each model, case by case
+    claims : each claim for each model it was put to, claim by claim
+    formulas : of each printed inertia tensor, which formula made it
+    slips : the listing's own mistakes;  effects : what they do to each case, 1 … 9
+    arms : that were read
+    """
+
+    cases: tuple[Run, ...]
+    claims: tuple[ClaimOutcome, ...]
+    formulas: tuple[TensorFormula, ...]
+    slips: Slips
+    effects: tuple[SlipEffect, ...]
+    arms: tuple[SerialArm, ...]
+
+    @property
+    def verdicts(self) -> dict[Claim, Verdict]:
+        """What came of each claim in the paper."""
+        return {claim: overall(self.outcomes(claim.id)) for claim in self._claims()}
+
+    @property
+    def engines_apart(self) -> float:
+        """Largest |τ − τ_Pinocchio| on the appendix, over all cases [N m]."""
+        return max(float(np.abs(a.torque - b.torque).max()) for a, b in self._both())
+
+    @property
+    def trustworthy(self) -> bool:
+        """Whether our recursion and the referee agree on the appendix, in every case."""
+        return all(np.abs(a.torque - b.torque).max() <= a.rounding for a, b in self._both())
+
+    def outcomes(self, claim: str) -> tuple[ClaimOutcome, ...]:
+        """Of the claim with that id, model by model."""
+        return tuple(outcome for outcome in self.claims if outcome.id == claim)
+
+    def run(self, number: int, model: str) -> Run:
+        """One case for one model."""
+        return next(r for r in self.cases if r.case.number == number and r.model.name == model)
+
+    def _claims(self) -> Iterable[Claim]:
+        return dict.fromkeys(outcome.claim for outcome in self.claims)
+
+    def _both(self) -> Iterable[tuple[Run, Run]]:
+        numbers = dict.fromkeys(run.case.number for run in self.cases)
+        return ((self.run(n, "appendix"), self.run(n, PINOCCHIO)) for n in numbers)
+
+
+def reproduce(progress: Progress | None = None) -> Reproduction:
+    """Run the nine cases, look behind the inertia tensors, and judge every claim.
+
+    progress : called with a line before each longer step
+
+    Raises ModelError if a shipped model cannot be read, EngineError if Pinocchio cannot take it.
+    """
+    return judge(gather(progress or (lambda line: None)))
+
+
+def judge(evidence: Evidence, claims: Iterable[ClaimFunction] = CLAIMS) -> Reproduction:
+    """Put the claims to the evidence."""
+    evidence.say("judging the claims")
+    outcomes = tuple(outcome for claim in claims for outcome in claim(evidence))
+    effects = tuple(
+        slip_effect(evidence.slips, run, evidence.run(run.case.number, REPAIRED))
+        for run in evidence.runs
+        if run.model.name == PRINTED and evidence.run(run.case.number, REPAIRED).peak
+    )
+    arms = tuple(model.arm for model in evidence.models)
+    return Reproduction(evidence.runs, outcomes, evidence.formulas, evidence.slips, effects, arms)

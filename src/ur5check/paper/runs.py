@@ -1,0 +1,115 @@
+"""One case computed for one model: the torques, what they should be, and the curve as a sine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..arm.transforms import Array
+from .cases import SWEEP, Case
+from .harmonic import Harmonic, fit_harmonic
+from .models import Model
+from .statics import holding_torque
+
+__all__ = ["Run", "run_case"]
+
+#: Two curves that differ by less of their peak cannot be told apart in a printed plot.
+_SEEN_IN_A_PLOT = 0.01
+
+#: A torque passes through n joints, and in each picks up some roundings of the size of the largest
+#: torque on the way: 16 n ε of it is more than was ever seen and far below any claim.
+_ROUNDINGS = 16.0
+
+#: The coarsest angle that a URDF or a controller writes for π/2 is 1.570796327: half a unit of its
+#: last digit turns a part of that size of one torque into another.
+_ANGLE_DIGITS = 5e-10
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """All torques of a case, as one model has them.
+
+    q : shape (N, n) [rad], N = 361 or, in case 9, 1
+    torque : of every joint, shape (N, n) [N m]
+    expected : the weights' moment on the UR5's own geometry, shape (N, n) [N m]
+    scale : of all these torques, the largest [N m]
+    harmonic : the watched torque as a sine; None in case 9
+    """
+
+    case: Case
+    model: Model
+    q: Array
+    torque: Array
+    expected: Array
+    scale: float = field(init=False)
+    harmonic: Harmonic | None = field(init=False)
+
+    def __post_init__(self) -> None:
+        scale = max(float(np.abs(self.torque).max()), float(np.abs(self.expected).max()))
+        object.__setattr__(self, "scale", scale)
+        swept = self.case.swept is not None
+        fit = fit_harmonic(SWEEP, self.watched, self.rounding) if swept else None
+        object.__setattr__(self, "harmonic", fit)
+
+    @property
+    def rounding(self) -> float:
+        """What a torque may owe to rounding [N m]."""
+        n = len(self.case.posture)
+        return _ROUNDINGS * n * float(np.finfo(np.float64).eps) * self.scale
+
+    @property
+    def digits(self) -> float:
+        """What a torque may owe to the digits of the angles in a file [N m]."""
+        return _ANGLE_DIGITS * self.scale
+
+    @property
+    def watched(self) -> Array:
+        """The torque that the case looks at, shape (N,) [N m]; of all joints, (n,), in case 9."""
+        return self._seen(self.torque)
+
+    @property
+    def expected_watched(self) -> Array:
+        """What it should be, same shape [N m]."""
+        return self._seen(self.expected)
+
+    @property
+    def peak(self) -> float:
+        """Largest size of the watched torque [N m]; 0 where it is only rounding."""
+        peak = float(np.abs(self.watched).max())
+        return peak if peak > self.rounding else 0.0
+
+    @property
+    def expected_peak(self) -> float:
+        """The same of what it should be [N m]; 0 where it is only digits."""
+        peak = float(np.abs(self.expected_watched).max())
+        return peak if peak > self.digits else 0.0
+
+    @property
+    def error(self) -> float:
+        """Largest distance from what it should be [N m]."""
+        return float(np.abs(self.watched - self.expected_watched).max())
+
+    @property
+    def tolerance(self) -> float:
+        """How far it may lie from there and still be as expected [N m]."""
+        return _SEEN_IN_A_PLOT * self.expected_peak + self.digits
+
+    @property
+    def as_expected(self) -> bool:
+        """Whether it is what the weights ask for."""
+        return self.error <= self.tolerance
+
+    @property
+    def opposed(self) -> bool:
+        """Whether it pulls the other way, over the case as a whole."""
+        return float(self.watched @ self.expected_watched) < 0.0
+
+    def _seen(self, tau: Array) -> Array:
+        return tau[0] if self.case.watched is None else tau[:, self.case.watched - 1]
+
+
+def run_case(case: Case, model: Model) -> Run:
+    """Ask the model for every torque of the case."""
+    q = case.joint_angles()
+    return Run(case, model, q, np.asarray(model.torque(q)), holding_torque(model.true_arm, q))

@@ -1,0 +1,184 @@
+"""What came of the paper, in sentences: the verdict, what stands out, and a headline a case.
+
+Every number in them is measured; a claim that comes out otherwise is told otherwise.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from .models import PRINTED, REPAIRED
+from .reproduction import Reproduction
+from .slips import SlipEffect
+
+__all__ = ["headline", "headline_of_all", "summary", "tell"]
+
+#: For each case the claim that is its own, and how it is told when it holds and when it fails.
+_OWN = {
+    1: ("case-1-sine", "A sine, as claimed", "No sine"),
+    2: ("case-2-expected", "As expected", "Not as expected"),
+    3: ("case-3-less", "Less than case 2, as claimed", "Not less than case 2"),
+    4: ("case-4-zero", "Zero and constant, as claimed", "Not zero"),
+    5: ("case-5-sine", "A sine, as claimed", "No sine"),
+    6: ("case-6-expected", "As expected", "Not as expected"),
+    7: ("case-7-low", "Low, as claimed", "Not low"),
+    8: ("case-8-low", "Low, as claimed", "Not low"),
+}
+
+#: Claims on the shape of a curve, by which the paper judged its program.
+_SHAPES = ("-sine", "-less", "-zero", "-low")
+
+#: Claims that the torque itself is right.
+_TORQUES = ("-expected", "-holds")
+
+
+def summary(r: Reproduction) -> str:
+    """The verdict in one sentence."""
+    count = Counter(r.verdicts.values())
+    return (
+        f"of {len(r.verdicts)} claims of the paper, {count['confirmed']} are confirmed, "
+        f"{count['confirmed after repair']} only after a repair, {count['refuted']} refuted."
+    )
+
+
+def tell(r: Reproduction) -> list[str]:
+    """What stands out, one sentence each."""
+    return [
+        line
+        for line in (_case_2_and_9(r), _slips(r), _shapes(r), _lightness(r), _tensors(r), _soft(r))
+        if line
+    ]
+
+
+def headline(r: Reproduction, number: int) -> str:
+    """What one case shows."""
+    if number == 9:
+        return _case_9(r)
+    claim, yes, no = _OWN[number]
+    printed = _printed_holds(r, claim)
+    then = _as_printed(r, number)
+    if number == 4 and printed:
+        then = "gravity lies along the axis"
+    if number == 8 and printed and _weightless(r):
+        then = "zero, whatever link 6 weighs"
+    return f"{yes if printed else no}; {then}" if then else (yes if printed else no)
+
+
+def headline_of_all(r: Reproduction) -> str:
+    """What the nine cases show together."""
+    shapes = _shape_claims(r)
+    held = sum(_printed_holds(r, claim) for claim in shapes)
+    torques = [c.id for c in r.verdicts if c.id.startswith("case-") and c.id.endswith(_TORQUES)]
+    wrong = sum(not _printed_holds(r, claim) for claim in torques)
+    return (
+        f"As printed, {held} of {len(shapes)} claims on a curve's shape hold, and {wrong} of "
+        f"{len(torques)} torques are wrong"
+    )
+
+
+def _as_printed(r: Reproduction, number: int) -> str:
+    """How the printed curve stands to what the weights ask for."""
+    run = r.run(number, PRINTED)
+    if _printed_holds(r, f"case-{number}-expected"):
+        appendix = r.run(number, "appendix")
+        part = 100.0 * (appendix.peak / run.peak - 1.0) if run.peak else 0.0
+        more = "more" if part > 0.0 else "less"
+        return f"the appendix asks for {abs(part):.0f} % {more}" if part else ""
+    part = 100.0 * (run.peak / run.expected_peak - 1.0)
+    turned = ", the wrong way round" if run.opposed else ""
+    return f"as printed {abs(part):.0f} % too {'large' if part > 0.0 else 'small'}{turned}"
+
+
+def _case_9(r: Reproduction) -> str:
+    run = r.run(9, PRINTED)
+    if _printed_holds(r, "case-9-holds"):
+        return "The torques as printed hold the arm"
+    joint = int(abs(run.watched - run.expected_watched).argmax())
+    tau, wanted = run.watched[joint], run.expected_watched[joint]
+    how = "is pushed the wrong way" if tau * wanted < 0.0 else "bears a wrong torque"
+    return f"As printed, joint {joint + 1} {how}: {_signed(tau, 0)} for {_signed(wanted, 0)} N m"
+
+
+def _case_2_and_9(r: Reproduction) -> str:
+    effects = {effect.case: effect for effect in r.effects}
+    two, nine = effects[2], effects[9]
+    part = 100.0 * (abs(two.ratio) - 1.0)
+    return (
+        f"As printed, case 2 asks joint {two.joint} for {abs(two.printed):.1f} N m, "
+        f"{abs(part):.0f} % {'more' if part > 0.0 else 'less'} than the {abs(two.table):.1f} N m "
+        f"of the paper's own Table 1, with the {_which(two)} sign. Case 9 sends joint {nine.joint} "
+        f"{_signed(nine.printed)} N m for {_signed(nine.table)} N m: the {_which(nine)} sign."
+    )
+
+
+def _slips(r: Reproduction) -> str:
+    left = max(effect.left for effect in r.effects)
+    gap = max(effect.gap for effect in r.effects)
+    found = "; ".join(finding.sentence for finding in r.slips.findings)
+    return (
+        "With the listing's own slips mended, its largest distance from Table 1's torques falls "
+        f"from {gap:.0f} to {left:.1g} N m. The slips, as diagnosis finds them: {found}."
+    )
+
+
+def _shapes(r: Reproduction) -> str:
+    shapes = _shape_claims(r)
+    held = sum(_printed_holds(r, claim) for claim in shapes)
+    if held < len(shapes):
+        return f"Of {len(shapes)} claims on the shape of a curve, {held} hold as printed."
+    return (
+        f"All {held} claims on the shape of a curve hold for the program as printed: gravity's "
+        "torque on the joint that turns is a sine for any arm, so that no shape can show a wrong "
+        "number."
+    )
+
+
+def _lightness(r: Reproduction) -> str:
+    if not _weightless(r):
+        return ""
+    (seven,) = (o for o in r.outcomes("case-7-light") if o.model == REPAIRED)
+    return (
+        "The torques of cases 7 and 8 are low, but case 8 not because link 6 is light: its centre "
+        "of mass lies on the axis, and the torque is zero whatever it weighs. In case 7, link 5 is "
+        f"the cause of {100.0 * seven.value:.0f} % of the torque."
+    )
+
+
+def _tensors(r: Reproduction) -> str:
+    honest = [f for f in r.formulas if f.formula is not None and f.formula.honest]
+    made = Counter(f.formula.text for f in r.formulas if f.formula is not None)
+    if not made:
+        return "No known formula gives the printed inertia tensors."
+    text, count = made.most_common(1)[0]
+    return (
+        f"{len(honest)} of {len(r.formulas)} printed inertia tensors follow eq. 3, m(3r² + l²)/12; "
+        f"{count} follow {text}, to every digit printed."
+    )
+
+
+def _soft(r: Reproduction) -> str:
+    (printed,) = (o for o in r.outcomes("soft-limits") if o.form == "printed")
+    if printed.holds:
+        return ""
+    return f"One joint's soft limits lie outside its own, and never act: {printed.why}."
+
+
+def _printed_holds(r: Reproduction, claim: str) -> bool:
+    return all(outcome.holds for outcome in r.outcomes(claim) if outcome.form == "printed")
+
+
+def _shape_claims(r: Reproduction) -> list[str]:
+    return [claim.id for claim in r.verdicts if claim.id.endswith(_SHAPES)]
+
+
+def _weightless(r: Reproduction) -> bool:
+    """Whether case 8's torque is zero for every model."""
+    return not any(run.peak for run in r.cases if run.case.number == 8)
+
+
+def _which(effect: SlipEffect) -> str:
+    return "wrong" if effect.ratio < 0.0 else "right"
+
+
+def _signed(value: float, decimals: int = 1) -> str:
+    return f"{value:+.{decimals}f}".replace("-", "−")

@@ -1,0 +1,43 @@
+"""What `paper` shows."""
+
+from __future__ import annotations
+
+from ..paper.reproduction import Reproduction
+from ..paper.story import summary, tell
+from .document import Document, Verdict
+from .provenance import Provenance, inputs_of
+from .reproduced.cases import cases_section, slips_section
+from .reproduced.claims import claims_section
+from .reproduced.formulas import formulas_section
+from .wording import residue
+
+__all__ = ["paper_document"]
+
+
+def paper_document(r: Reproduction, *, written_out: bool = False, command: str = "") -> Document:
+    """The report of `ur5check paper`.
+
+    written_out : whether every claim is shown for every model, with how it was tested
+    """
+    return Document(
+        "The paper, claim by claim",
+        _verdict(r),
+        tuple(tell(r)),
+        (
+            claims_section(r, written_out=written_out),
+            cases_section(r),
+            slips_section(r),
+            formulas_section(r),
+        ),
+        Provenance(inputs_of(r.arms), r.slips.seed, r.slips.samples, command),
+    )
+
+
+def _verdict(r: Reproduction) -> Verdict:
+    if not r.trustworthy:
+        text = (
+            "our recursion and Pinocchio do not agree on the appendix "
+            f"({residue(r.engines_apart)} N m apart); nothing below can be believed."
+        )
+        return Verdict("FAIL", text, False)
+    return Verdict("REPRODUCED", summary(r), True)

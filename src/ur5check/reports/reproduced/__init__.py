@@ -1,0 +1,1 @@
+"""What `paper` shows, a section a file."""
