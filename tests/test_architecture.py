@@ -29,6 +29,7 @@ MAY_IMPORT = {
     "digits": {"arm", "dynamics", "comparison"},
     "diagnosis": {"arm", "dynamics", "comparison"},
     "worst_case": {"arm", "dynamics", "comparison", "engines", "errors"},
+    "sweeping": {"arm", "sources", "dynamics", "comparison", "worst_case", "errors", "version"},
     "explanation": {
         "arm", "comparison", "plausibility", "identifiability", "digits", "diagnosis", "worst_case",
     },
@@ -39,11 +40,11 @@ MAY_IMPORT = {
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
     "reports": {
         "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
-        "worst_case", "explanation", "paper", "checks", "errors", "version",
+        "worst_case", "sweeping", "explanation", "paper", "checks", "errors", "version",
     },
     "cli": {
         "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
-        "export", "figures",
+        "export", "figures", "sweeping",
         "reports", "errors", "version",
     },
 }  # fmt: skip

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from .dynamics.regressor import torque_regressor
     from .explanation.explanation import explain
     from .sources.loading import load
+    from .sweeping.sweep import sweep
 
 _HOMES = {
     "SerialArm": ".arm.serial_arm",
@@ -45,6 +46,7 @@ _HOMES = {
     "mass_matrix": ".dynamics.equations",
     "potential_energy": ".dynamics.equations",
     "rnea": ".dynamics.newton_euler",
+    "sweep": ".sweeping.sweep",
     "torque_regressor": ".dynamics.regressor",
     "validate": ".checks.validation",
 }
@@ -63,6 +65,7 @@ __all__ = [
     "mass_matrix",
     "potential_energy",
     "rnea",
+    "sweep",
     "torque_regressor",
     "validate",
 ]

@@ -27,6 +27,7 @@ __all__ = ["main"]
 COMMANDS = {
     "validate": "do the laws hold, do the engines agree, are differences accounted for",
     "diff": "what differs between two models, by how many newton metres, and why",
+    "sweep": "the same at millions of states: how often, how much, where in the reach",
     "paper": "the paper's nine cases, and what came of each of its claims",
     "show": "a model as ur5check understands it",
     "expand": "a xacro as the URDF that it stands for",

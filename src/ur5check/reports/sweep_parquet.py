@@ -1,0 +1,72 @@
+"""A sweep's histograms and reach map as Parquet, for whoever draws or merges them.
+
+Two tables, since their rows are about different things: NAME.parquet holds the histograms, one row
+a joint and bin that is not empty; NAME.map.parquet the reach map, one row a cell that was visited.
+Per-block tables are not written: they would grow with the number of states.
+"""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import UsageError
+from ..sweeping.magnitudes import bin_edges
+from ..sweeping.parquet_log import import_parquet
+from ..sweeping.reach_map import HEIGHTS
+from ..sweeping.result import Sweep
+from ..sweeping.whole_file import write_whole
+
+__all__ = ["map_file", "write_parquet"]
+
+
+def map_file(file: Path) -> Path:
+    """Where the reach map goes, beside the histograms."""
+    return file.with_suffix(f".map{file.suffix}")
+
+
+def write_parquet(s: Sweep, file: Path) -> None:
+    """Both tables.  Raises UsageError if they cannot be written, or pyarrow is not installed."""
+    parquet = import_parquet()
+    for path, columns in ((file, _histograms(s)), (map_file(file), _map(s))):
+        try:
+            write_whole(path, _bytes(parquet, columns))
+        except OSError as error:
+            raise UsageError(f"--parquet {path}: cannot be written: {error.strerror}") from None
+
+
+def _histograms(s: Sweep) -> dict[str, Any]:
+    joint, bin_ = np.nonzero(s.tally.bins)
+    edges, names = bin_edges(), s.pair.a.joint_names
+    return {
+        "joint": [names[j] for j in joint],
+        "lower": edges[bin_],
+        "upper": edges[bin_ + 1],
+        "count": s.tally.bins[joint, bin_],
+    }
+
+
+def _map(s: Sweep) -> dict[str, Any]:
+    (seen,) = np.nonzero(s.tally.visits)
+    radii, heights = s.plan.grid.radii(), s.plan.grid.heights()
+    column, row = np.divmod(seen, HEIGHTS)
+    largest = zip(s.pair.a.joint_names, s.tally.reach[:, seen], strict=True)
+    return {
+        "radius_lower": radii[column],
+        "radius_upper": radii[column + 1],
+        "height_lower": heights[row],
+        "height_upper": heights[row + 1],
+        "visits": s.tally.visits[seen],
+        **{f"max_{name}": values for name, values in largest},
+    }
+
+
+def _bytes(parquet: Any, columns: dict[str, Any]) -> bytes:
+    import pyarrow
+
+    buffer = io.BytesIO()
+    parquet.write_table(pyarrow.table(columns), buffer)
+    return buffer.getvalue()

@@ -1,0 +1,103 @@
+r"""The same work on many machines: spans of blocks as tasks of a Dask cluster, tallies as a tree.
+
+    span  span  span  span   …   a task each, on whichever worker is free
+       \   |     |   /
+        bough of spans       …   merged on a worker; only this comes back
+
+A task is a pure function of the plan and its span.  When a worker dies, Dask runs its tasks again
+elsewhere, and the digits are those that they would have been.
+"""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from itertools import islice
+from typing import Any
+
+import numpy as np
+
+from ..errors import UsageError
+from ..version import __version__
+from .crew import Crew, Span, in_order
+from .plan import Plan
+from .tally import Tally, merged
+
+__all__ = ["cluster"]
+
+_BOUGH = 8  # spans that are merged before they travel
+_PATIENCE = 10.0  # [s] for the scheduler to answer
+_AHEAD = 2  # tasks under way for each thread of the workers
+
+
+def cluster(address: str) -> Crew:
+    """The workers of the scheduler at `address` ("tcp://192.0.2.7:8786").
+
+    Raises UsageError, once at work, where no scheduler answers or a worker has another version.
+    """
+
+    def work(plan: Plan, todo: Iterable[Span]) -> Iterator[Tally]:
+        payload = pickle.dumps(plan)
+        versions = (__version__, np.__version__)
+        with _client(address) as client:
+
+            def bough(spans: tuple[Span, ...]) -> Any:
+                tasks = [
+                    client.submit(_tally, payload, versions, span, pure=False) for span in spans
+                ]
+                return client.submit(merged, tasks, pure=False)
+
+            threads = sum(client.nthreads().values())
+            ahead = 2 + _AHEAD * threads // _BOUGH
+            yield from in_order(_boughs(todo), bough, lambda future: future.result(), ahead)
+
+    return work
+
+
+def _boughs(todo: Iterable[Span]) -> Iterator[tuple[Span, ...]]:
+    rest = iter(todo)
+    while bough := tuple(islice(rest, _BOUGH)):
+        yield bough
+
+
+def _client(address: str) -> Any:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise UsageError(
+            "a cluster needs Dask; install it with `pip install 'ur5check[distributed]'`"
+        ) from None
+    try:
+        client: Any = Client(  # type: ignore[no-untyped-call]
+            address, timeout=_PATIENCE, set_as_default=False
+        )
+    except (OSError, ValueError) as error:
+        raise UsageError(
+            f"no scheduler answers at {address} ({error}); start one with `dask scheduler`"
+        ) from None
+    if not client.nthreads():
+        client.close()
+        raise UsageError(
+            f"the scheduler at {address} has no workers; start some with `dask worker {address}`"
+        )
+    return client
+
+
+def _tally(payload: bytes, versions: tuple[str, str], span: Span) -> Tally:
+    """One task, on a worker."""
+    ours = (__version__, np.__version__)
+    if ours != versions:
+        raise UsageError(
+            "a worker has ur5check {} and numpy {}, the sweep {} and {}; install the same".format(
+                *ours, *versions
+            )
+        )
+    return _plan(payload).tally(*span)
+
+
+@lru_cache(maxsize=4)
+def _plan(payload: bytes) -> Plan:
+    """Unpacked once in each process, so that a kernel is compiled once."""
+    plan: Plan = pickle.loads(payload)  # noqa: S301 - a cluster runs what its client sends anyway
+    return plan

@@ -1,0 +1,30 @@
+"""States that an arm went through: a log, as CSV or as Parquet, read a block at a time."""
+
+from __future__ import annotations
+
+from os import PathLike
+from pathlib import Path
+
+from ..arm.serial_arm import SerialArm
+from ..errors import StateError
+from .csv_log import CsvLog, open_csv
+from .parquet_log import ParquetLog, open_parquet
+
+__all__ = ["is_log", "log_sample"]
+
+_SUFFIXES = (".csv", ".parquet")
+
+
+def is_log(name: str | PathLike[str]) -> bool:
+    """Whether a sample is a file."""
+    return Path(name).suffix.lower() in _SUFFIXES
+
+
+def log_sample(file: Path, arm: SerialArm) -> CsvLog | ParquetLog:
+    """The states in a log.  Raises StateError for a file that is none."""
+    if not file.is_file():
+        raise StateError(f"{file}: there is no such file; name a .csv or .parquet log")
+    try:
+        return (open_csv if file.suffix.lower() == ".csv" else open_parquet)(file, arm)
+    except OSError as error:
+        raise StateError(f"{file}: cannot be read: {error.strerror or error}") from None

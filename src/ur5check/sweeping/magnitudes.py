@@ -1,0 +1,68 @@
+"""A fine logarithmic histogram of sizes, which two places can add and quantiles can be read from.
+
+A float64 is sign, exponent, mantissa.  Its exponent and the first bits of its mantissa, read as one
+integer, number the bins of a histogram with 128 bins an octave: no logarithm is taken, and no bin
+edge is rounded.  Two histograms merge by adding integers, which no order can change.
+
+    bin 0         below 2⁻⁴⁰ = 9.1e-13 (and zero itself)
+    bins 1 …      128 to each octave up to 2²⁰ = 1.0e6
+    the last bin  2²⁰ and beyond
+
+A quantile is the middle of the bin in which its state lies: at most RELATIVE_ERROR away from it.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arm.transforms import Array
+
+__all__ = ["BINS", "RELATIVE_ERROR", "Counts", "bin_edges", "count_sizes", "quantile"]
+
+Counts = NDArray[np.int64]
+
+_MANTISSA = 7  # bits of it that number a bin
+_SHIFT = 52 - _MANTISSA
+_LOWEST, _HIGHEST = 2.0**-40, 2.0**20  # [N m]
+_BELOW = float(np.nextafter(_LOWEST, 0.0))  # its bits are one bin below the first
+_FIRST = int(np.float64(_BELOW).view(np.int64)) >> _SHIFT
+
+BINS = (int(np.float64(_HIGHEST).view(np.int64)) >> _SHIFT) - _FIRST + 1
+
+#: Half a bin, by the smallest value in it.
+RELATIVE_ERROR = 2.0 ** -(_MANTISSA + 1)
+
+
+def count_sizes(sizes: Array) -> Counts:
+    """Histograms of n rows of sizes, shape (n, N), none negative: counts of shape (n, BINS)."""
+    n = len(sizes)
+    clipped = np.minimum(sizes, _HIGHEST)
+    np.maximum(clipped, _BELOW, out=clipped)
+    bins = clipped.view(np.int64)
+    bins >>= _SHIFT
+    # Each row gets bins of its own, so that one count serves all.
+    bins += (np.arange(n) * BINS - _FIRST)[:, None]
+    return np.bincount(bins.ravel(), minlength=n * BINS).reshape(n, BINS)
+
+
+def bin_edges() -> Array:
+    """Lower edges of all bins and the upper edge of the last, shape (BINS + 1,): 0 … ∞."""
+    edges = ((_FIRST + np.arange(BINS + 1)) << _SHIFT).view(np.float64)
+    edges[0], edges[-1] = 0.0, np.inf
+    return edges
+
+
+def quantile(counts: Counts, share: float) -> float:
+    """The size that `share` of the states do not exceed, from one histogram of shape (BINS,).
+
+    The middle of a bin; of the last, which has none, the lower edge.
+    """
+    below = np.cumsum(counts)
+    rank = math.ceil(Fraction(str(share)) * int(below[-1]))  # 0.07 means seven hundredths
+    found = int(np.searchsorted(below, max(rank, 1)))
+    lower, upper = bin_edges()[found : found + 2]
+    return float(lower if np.isinf(upper) else 0.5 * (lower + upper))

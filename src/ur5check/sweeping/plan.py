@@ -1,0 +1,133 @@
+"""Everything that a sweep's result depends on, as one value: what threads, workers and checkpoints
+are handed, and what makes two results comparable to the digit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arm.serial_arm import SerialArm, Source
+from ..arm.transforms import Array
+from ..comparison.pair import Pair
+from ..errors import UsageError
+from ..version import __version__
+from ..worst_case.state_box import state_box
+from .reach_map import ReachGrid, reach_grid, tool_position
+from .sample import BLOCK, Sample, blocks_of
+from .tally import Tally, merged, tally_of
+from .torques import TorqueDifference, torque_difference
+
+__all__ = ["Plan", "plan_of"]
+
+#: A map wants a million states, not a billion: the tool's position costs as much as the tally.
+_MAP_STATES = 1_000_000
+_MAP_EVERY = 16
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """Arms in one set of joint coordinates, states, and what is asked of them.
+
+    over : limit on |Δτ| per joint, shape (n,) [N m]; None if none was asked for
+    grid : of the reach map, in a's base frame;  map_every : it sees every so-many-th state
+    """
+
+    a: SerialArm
+    b: SerialArm
+    sample: Sample
+    over: Array | None
+    grid: ReachGrid
+    map_every: int
+
+    @property
+    def blocks(self) -> int:
+        return blocks_of(self.sample)
+
+    @property
+    def engine(self) -> str:
+        """What computes the torques."""
+        return _difference(self).engine
+
+    def tally(self, start: int, stop: int) -> Tally:
+        """Blocks start … stop − 1, one after the other."""
+        return merged(self._tally(k) for k in range(start, stop))
+
+    def _tally(self, k: int) -> Tally:
+        states = self.sample.block(k)
+        return tally_of(
+            _difference(self).of(states.q, states.qd, states.qdd),
+            states,
+            BLOCK * k,
+            over=self.over,
+            cell=self.grid.cell(tool_position(self.a, states.q[:: self.map_every])),
+            cells=self.grid.cells,
+            every=self.map_every,
+        )
+
+    def description(self) -> dict[str, Any]:
+        """The same as plain values, by what a user would call them."""
+        return {
+            "version": __version__,
+            "numpy": np.__version__,
+            "engine": self.engine,
+            "model A": _numbers(self.a),
+            "model B": _numbers(self.b),
+            "states": self.sample.count,
+            "sample": self.sample.description(),
+            "limit": None if self.over is None else self.over.tolist(),
+            "reach map": [self.grid.reach, self.map_every],
+        }
+
+
+def plan_of(pair: Pair, sample: Sample, over: ArrayLike | None) -> Plan:
+    """The plan for a pair of arms.  Raises UsageError for a limit that is none."""
+    box = state_box(pair, 0.0)
+    return Plan(
+        _bare(pair.a),
+        _bare(pair.b),
+        sample,
+        None if over is None else _limits(over, pair.a.n),
+        reach_grid(pair.a, np.maximum(np.abs(box.lower), np.abs(box.upper))),
+        min(max(sample.count // _MAP_STATES, 1), _MAP_EVERY),
+    )
+
+
+def _limits(over: ArrayLike, n: int) -> Array:
+    """Limits of n joints, shape (n,), from one or n of them."""
+    limits = np.asarray(over, dtype=np.float64)
+    if limits.shape not in ((), (1,), (n,)):
+        raise UsageError(f"over has {limits.size} limits; give one, or one for each of {n} joints")
+    if not (np.isfinite(limits).all() and (limits >= 0.0).all()):
+        raise UsageError(f"over must be sizes of torques [N m], not {limits.tolist()}")
+    return np.broadcast_to(limits, (n,)).copy()
+
+
+def _bare(arm: SerialArm) -> SerialArm:
+    """The arm without the file or `pin.Model` it came from: what goes to another machine."""
+    return replace(arm, source=Source())
+
+
+@lru_cache(maxsize=8)
+def _difference(plan: Plan) -> TorqueDifference:
+    """Made once in each process: a kernel may have to be compiled first."""
+    return torque_difference(plan.a, plan.b)
+
+
+def _numbers(arm: SerialArm) -> dict[str, Any]:
+    """All that torque depends on."""
+    return {
+        "joints": [
+            [joint.kind, joint.axis.tolist(), joint.armature, joint.damping, joint.friction]
+            for joint in arm.joints
+        ],
+        "links": [
+            [link.far_end.matrix().tolist(), link.inertia.parameters().tolist()]
+            for link in arm.links
+        ],
+        "base": arm.base.matrix().tolist(),
+        "gravity": arm.gravity.tolist(),
+    }

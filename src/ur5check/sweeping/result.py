@@ -1,0 +1,87 @@
+"""What a sweep found, as one value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.transforms import Array
+from ..comparison.difference import SAME_TORQUE
+from ..comparison.pair import Pair
+from ..worst_case.state_box import effort_limits
+from .exact import mean
+from .magnitudes import quantile
+from .plan import Plan
+from .tally import Tally
+
+__all__ = ["QUANTILES", "Sweep"]
+
+#: Shares of the states; the size that so many do not exceed is reported.
+QUANTILES = (0.5, 0.9, 0.99, 0.999)
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """Δτ = τ_a − τ_b over all states of a plan; arrays of shape (n,) unless said otherwise.
+
+    pair : both arms, in a's joint coordinates
+    plan : states, limits, reach map
+    tally : what was kept
+    scale_rms, scale_max : of τ_a itself in the first block [N m], to judge a difference by
+    """
+
+    pair: Pair
+    plan: Plan
+    tally: Tally
+    scale_rms: Array
+    scale_max: Array
+
+    @property
+    def count(self) -> int:
+        """Number of states."""
+        return self.tally.count
+
+    @property
+    def log(self) -> tuple[tuple[str, str], ...]:
+        """(name, SHA-256) of the file that the states were read from, if they were."""
+        of = self.plan.sample.description()
+        return ((of["file"], of["sha256"]),) if "file" in of else ()
+
+    @property
+    def rms(self) -> Array:
+        """[N m]."""
+        return np.array([mean(total, self.count) ** 0.5 for total in self.tally.squares])
+
+    @property
+    def maximum(self) -> Array:
+        """Largest |Δτ| [N m]."""
+        return self.tally.maximum
+
+    @property
+    def effort(self) -> Array:
+        """The joints' effort limits [N m]; nan where neither source gives one."""
+        return effort_limits(self.pair)
+
+    def share_of_effort(self) -> Array:
+        """Maximum as a share of the effort limit; nan where there is no limit."""
+        return np.asarray(self.maximum / self.effort)
+
+    def worst_state(self, joint: int) -> dict[str, list[float]]:
+        """The state of a joint's maximum, joints counted from 0."""
+        q, qd, qdd = self.tally.worst_states[joint].tolist()
+        return {"q": q, "qd": qd, "qdd": qdd}
+
+    def quantile(self, share: float) -> Array:
+        """|Δτ| that `share` of the states do not exceed [N m], to RELATIVE_ERROR of itself."""
+        found = [quantile(counts, share) for counts in self.tally.bins]
+        return np.asarray(np.minimum(found, self.maximum))
+
+    def share_over(self) -> Array | None:
+        """Share of the states over the limit; None if no limit was asked for."""
+        return None if self.plan.over is None else np.asarray(self.tally.over / self.count)
+
+    @property
+    def agrees(self) -> bool:
+        """Whether no torque differs by more than SAME_TORQUE of the largest of τ_a."""
+        return float(self.maximum.max()) <= SAME_TORQUE * float(self.scale_max.max())

@@ -1,0 +1,119 @@
+"""Which states a sweep looks at, block by block: any block can be made without those before it.
+
+Block k holds the states BLOCK·k … BLOCK·(k + 1) − 1, whoever asks for it and in whatever order.
+Its size is part of what "the same states" means, and no option changes it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..arm.states import States
+from ..arm.transforms import Array
+from ..worst_case.state_box import StateBox
+
+__all__ = ["BLOCK", "GridSample", "RandomSample", "Sample", "blocks_of", "box_value", "in_box"]
+
+BLOCK = 16_384  # 18 numbers a state make 2.4 MB: about what stays in a core's cache
+
+
+class Sample(Protocol):
+    """The states of a sweep."""
+
+    @property
+    def count(self) -> int:
+        """How many."""
+        ...
+
+    def block(self, k: int) -> States:
+        """Those of block k; the last may be shorter."""
+        ...
+
+    def description(self) -> dict[str, Any]:
+        """All that the states depend on, as plain values for JSON."""
+        ...
+
+
+def blocks_of(sample: Sample) -> int:
+    """Number of blocks."""
+    return -(-sample.count // BLOCK)
+
+
+@dataclass(frozen=True, eq=False)
+class RandomSample:
+    """Uniform in a box.  Philox is a function of (seed, block) and a counter: no stream of numbers
+    runs through the blocks [Salmon et al. 2011].  Its 32-bit words place a state on a raster of
+    2⁻³² of the box.
+    """
+
+    box: StateBox
+    count: int
+    seed: int
+
+    def block(self, k: int) -> States:
+        n = len(self.box.lower)
+        philox = np.random.Philox(key=np.array([self.seed, k], np.uint64))
+        words = philox.random_raw(3 * n * BLOCK // 2).astype("<u8", copy=False).view("<u4")
+        # The middle of the raster's cells; a short last block is the beginning of a whole one.
+        rows = words.reshape(3 * n, BLOCK)[:, : _length(self, k)]
+        return in_box(self.box, rows, raster=2.0**-32)
+
+    def description(self) -> dict[str, Any]:
+        return {"kind": "random", "seed": self.seed, "box": box_value(self.box)}
+
+
+@dataclass(frozen=True, eq=False)
+class GridSample:
+    """Postures at rest, `levels` of each joint, in the middles of equal parts of its range.
+
+    A grid of q, q̇ and q̈ together would have two levels an axis at a billion states; a grid of
+    postures shows what gravity alone does, everywhere.
+    """
+
+    box: StateBox
+    levels: int
+
+    @property
+    def count(self) -> int:
+        return int(self.levels ** len(self.box.lower))
+
+    def block(self, k: int) -> States:
+        n = len(self.box.lower)
+        index = np.arange(BLOCK * k, BLOCK * k + _length(self, k))
+        level = np.stack([index // self.levels**i % self.levels for i in range(n)])
+        width = (self.box.upper - self.box.lower) / self.levels
+        q = (self.box.lower + width / 2)[:, None] + width[:, None] * level
+        rest = np.zeros_like(q)
+        return States(q.T, rest.T, rest.T)
+
+    def description(self) -> dict[str, Any]:
+        box = box_value(self.box)
+        box["rate"] = box["acceleration"] = [0.0] * len(self.box.lower)
+        return {"kind": "grid", "levels": self.levels, "box": box}
+
+
+def in_box(box: StateBox, rows: Array, *, raster: float) -> States:
+    """States from 3 n rows of whole numbers 0 … 1/raster − 1, each standing for a cell's middle."""
+    n = len(box.lower)
+    lower = np.concatenate([box.lower, -box.rate, -box.acceleration])
+    width = np.concatenate([box.upper - box.lower, 2.0 * box.rate, 2.0 * box.acceleration])
+    values = np.multiply(rows, (width * raster)[:, None])
+    values += (lower + 0.5 * raster * width)[:, None]
+    return States(values[:n].T, values[n : 2 * n].T, values[2 * n :].T)
+
+
+def box_value(box: StateBox) -> dict[str, Any]:
+    """The box as plain numbers."""
+    return {
+        "lower": box.lower.tolist(),
+        "upper": box.upper.tolist(),
+        "rate": box.rate.tolist(),
+        "acceleration": box.acceleration.tolist(),
+    }
+
+
+def _length(sample: Sample, k: int) -> int:
+    return min(BLOCK, sample.count - BLOCK * k)

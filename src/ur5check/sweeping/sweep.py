@@ -1,0 +1,180 @@
+"""`ur5check.sweep`: two arms at as many states as you like, in memory that does not grow.
+
+    states of block k → Δτ → tally ─┐
+    states of block l → Δτ → tally ─┴→ one tally → Sweep
+
+Who computes the blocks, how many at a time and in which order changes no digit of the result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from os import PathLike
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arm.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
+from ..arm.transforms import Array
+from ..comparison.difference import under_gravity
+from ..comparison.pair import Pair, pair_up
+from ..dynamics.newton_euler import rnea
+from ..errors import UsageError
+from ..sources.loading import ArmSource, load
+from ..worst_case.state_box import StateBox, state_box
+from .checkpoint import load as load_checkpoint
+from .crew import Crew, spans
+from .crew import threads as threads_crew
+from .journal import Journal
+from .logs import is_log, log_sample
+from .plan import Plan, plan_of
+from .result import Sweep
+from .sample import GridSample, RandomSample, Sample
+from .sobol_sample import SobolSample
+from .tally import Tally
+
+__all__ = ["SampleKind", "run", "sweep"]
+
+SampleKind = Literal["random", "sobol", "grid"]
+
+_STATES = 1_000_000
+_BATCH = 16  # blocks: a quarter of a million states, a fraction of a second
+_CLUSTER_BATCH = 256  # four million states: a task should outlast its own scheduling by far
+
+
+def sweep(
+    a: ArmSource,
+    b: ArmSource,
+    *,
+    states: int | None = None,
+    sample: SampleKind | str | PathLike[str] = "random",
+    seed: int = 0,
+    within_limits: bool = False,
+    over: ArrayLike | None = None,
+    gravity: ArrayLike | None = None,
+    threads: int = 1,
+    batch: int | None = None,
+    scheduler: str | None = None,
+    checkpoint: str | PathLike[str] | None = None,
+    checkpoint_every: float = 30.0,
+    progress: Callable[[str], None] | None = None,
+) -> Sweep:
+    """Torque difference of two arms over a large number of states.
+
+    Parameters
+    ----------
+    a, b : a catalogue name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    states : how many, a million unless said; a grid takes the largest one that has no more; a log
+        brings its own
+    sample : "random", "sobol", "grid" (postures at rest), or a .csv or .parquet log of a's joints
+    seed : of random and Sobol states
+    within_limits : draw positions and velocities within joint limits (a's, else b's, else the
+        default); otherwise |q| ≤ π, |q̇| ≤ 3.2; always |q̈| ≤ 10
+    over : a torque, or one a joint, shape (n,) [N m]: the share of the states that exceed it
+    gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
+    threads : of this process, where there is no scheduler
+    batch : blocks of 16,384 states that a thread or a worker takes at a time
+    scheduler : address of a Dask scheduler ("tcp://…:8786"), whose workers then do the work
+    checkpoint : a file to keep what is done in, and to go on from if it is there
+    checkpoint_every : seconds between two writings of it
+    progress : is told, in a sentence, how far things are
+
+    No digit of the result depends on `threads`, `batch`, `scheduler` or `checkpoint`.
+
+    Raises
+    ------
+    InputError : a model or log that cannot be read, arms that cannot be compared, a number that has
+        no meaning, a checkpoint of another sweep.
+    """
+    if threads < 1 or (batch is not None and batch < 1):
+        raise UsageError(f"threads and batch must be at least 1, not {threads} and {batch}")
+    pair = pair_up(*(under_gravity(load(source), gravity) for source in (a, b)))
+    plan = plan_of(pair, _sample(pair, states, sample, seed, within_limits), over)
+    return Sweep(
+        pair,
+        plan,
+        run(
+            plan,
+            _crew(threads, scheduler),
+            batch or (_BATCH if scheduler is None else _CLUSTER_BATCH),
+            None if checkpoint is None else Path(checkpoint),
+            checkpoint_every,
+            progress or (lambda line: None),
+        ),
+        *_scale(plan),
+    )
+
+
+def run(
+    plan: Plan,
+    crew: Crew,
+    batch: int,
+    checkpoint: Path | None,
+    checkpoint_every: float,
+    progress: Callable[[str], None],
+) -> Tally:
+    """All blocks of a plan that are not done yet, and with those that are: one tally."""
+    done = None if checkpoint is None else load_checkpoint(checkpoint, plan)
+    journal = Journal(plan, checkpoint, checkpoint_every, done, progress)
+    with journal:
+        for tally in crew(plan, spans(journal.blocks, plan.blocks, batch)):
+            journal.add(tally)
+    return journal.tally
+
+
+def _crew(count: int, scheduler: str | None) -> Crew:
+    if scheduler is None:
+        return threads_crew(count)
+    from .cluster import cluster
+
+    return cluster(scheduler)
+
+
+def _sample(
+    pair: Pair, states: int | None, kind: str | PathLike[str], seed: int, within_limits: bool
+) -> Sample:
+    """Raises UsageError, or StateError for a log."""
+    if is_log(kind):
+        if within_limits or states is not None:
+            raise UsageError(
+                "states and within-limits have no meaning for a log; it is taken as it is"
+            )
+        return log_sample(Path(kind), pair.a)
+    if states is None:
+        states = _STATES
+    if states < 1:
+        raise UsageError(f"states must be at least 1, not {states}")
+    if not 0 <= seed < 2**64:
+        raise UsageError(f"the seed must be from 0 to 2⁶⁴ − 1, not {seed}")
+    box = state_box(pair, MAX_ACCELERATION) if within_limits else _free_box(pair.a.n)
+    match kind:
+        case "random":
+            return RandomSample(box, states, seed)
+        case "sobol":
+            return SobolSample(box, states, seed)
+        case "grid":
+            return GridSample(box, _levels(states, pair.a.n))
+    raise UsageError(f"sample {kind}: must be random, sobol, grid, or a .csv or .parquet file")
+
+
+def _free_box(n: int) -> StateBox:
+    """The box of `random_states`: what the joints could do, limits aside."""
+    angle, rate, acceleration = (
+        np.full(n, bound) for bound in (MAX_ANGLE, MAX_RATE, MAX_ACCELERATION)
+    )
+    return StateBox(-angle, angle, rate, acceleration)
+
+
+def _levels(states: int, n: int) -> int:
+    """The finest grid of n axes that has no more than so many points."""
+    levels = round(states ** (1.0 / n))  # may be one too many, never two
+    return int(levels if levels**n <= states else levels - 1)
+
+
+def _scale(plan: Plan) -> tuple[Array, Array]:
+    """RMS and maximum of τ_a over the first block, shape (n,) each."""
+    first = plan.sample.block(0)
+    tau = rnea(plan.a, first.q, first.qd, first.qdd)
+    return np.sqrt((tau**2).mean(axis=0)), np.abs(tau).max(axis=0)

@@ -1,0 +1,36 @@
+"""The one place where a sweep meets an algorithm: the torque difference of a block of states."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..dynamics.newton_euler import rnea
+
+__all__ = ["TorqueDifference", "torque_difference"]
+
+
+@dataclass(frozen=True)
+class TorqueDifference:
+    """Δτ = τ_a − τ_b of two arms in one set of joint coordinates.
+
+    engine : what computes it; a sweep does not change engines on the way
+    of : (q, qd, qdd), each of shape (N, n), to Δτ of shape (N, n) [N m].  States come as
+        transposed views of rows, one row a joint, and may be returned so: then nothing is copied
+    """
+
+    engine: str
+    of: Callable[[Array, Array, Array], Array]
+
+
+def torque_difference(a: SerialArm, b: SerialArm) -> TorqueDifference:
+    """By the hand-written recursion on NumPy arrays."""
+
+    def difference(q: Array, qd: Array, qdd: Array) -> Array:
+        return np.asarray(rnea(a, q, qd, qdd) - rnea(b, q, qd, qdd))
+
+    return TorqueDifference("numpy", difference)
