@@ -1,0 +1,27 @@
+"""A question about one state, asked of arrays of states: what every engine without arrays needs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..arm.transforms import Array
+
+__all__ = ["each_state"]
+
+
+def each_state(one: Callable[..., Array], n: int, shape: tuple[int, ...], *arrays: Array) -> Array:
+    """`one` on every state, in a Python loop.
+
+    arrays : joint arrays, shape (..., n), whose leading axes broadcast
+    one : takes a row of each, shape (n,); returns `shape`
+
+    Returns shape (..., *shape).
+    """
+    lead = np.broadcast_shapes(*(np.shape(array)[:-1] for array in arrays))
+    rows = [np.broadcast_to(array, (*lead, n)).reshape(-1, n) for array in arrays]
+    results = np.empty((len(rows[0]), *shape))
+    for k, state in enumerate(zip(*rows, strict=True)):
+        results[k] = one(*state)
+    return results.reshape(*lead, *shape)

@@ -1,0 +1,68 @@
+"""The text that an engine's own parser is given: the arm's URDF, and nothing that is not the arm.
+
+Two things are taken out of the user's file before an engine sees it, because they are no part of
+the arm's dynamics and stop parsers: shapes that are meshes (files that may not be here), and the
+motion of joints beside the arm (a gripper's), which are held where our own reading holds them.
+Numbers are left exactly as they are written.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from lxml import etree
+
+from ..arm.serial_arm import SerialArm
+from ..errors import EngineError
+
+__all__ = ["parsed", "root_link", "text_for_engines", "written"]
+
+
+def text_for_engines(arm: SerialArm) -> str:
+    """The arm's URDF without meshes, joints beside the arm fixed.
+
+    Raises EngineError if a joint beside the arm is held by a `<mimic>` away from zero.
+    """
+    root = parsed(arm)
+    for link in root.iterchildren("link"):
+        for shape in [*link.findall("visual"), *link.findall("collision")]:
+            if shape.find("geometry/mesh") is not None:
+                link.remove(shape)
+    for joint in root.iterchildren("joint"):
+        if joint.get("type") != "fixed" and joint.get("name") not in arm.joint_names:
+            _hold(joint)
+    return written(root)
+
+
+def _hold(joint: Any) -> None:
+    mimic = joint.find("mimic")
+    if mimic is not None:
+        if float(mimic.get("offset", "0")) != 0.0:
+            raise EngineError(
+                f"joint {joint.get('name')!r} beside the arm is held by its <mimic> away from "
+                "zero, which no engine can be told; choose a tip= without it, or remove the offset"
+            )
+        joint.remove(mimic)
+    joint.set("type", "fixed")
+
+
+def parsed(arm: SerialArm) -> Any:
+    """The root element of the arm's URDF, which was read strictly before."""
+    if arm.source.urdf is None:
+        raise EngineError(f"arm {arm.name!r} did not come from a URDF")
+    parser = etree.XMLParser(resolve_entities=False, no_network=True, remove_blank_text=False)
+    return etree.fromstring(arm.source.urdf.encode(), parser)
+
+
+def written(root: Any) -> str:
+    """A root element as text."""
+    return etree.tostring(root, encoding="unicode") + "\n"
+
+
+def root_link(root: Any) -> str:
+    """Name of the link on which all others hang."""
+    children = {joint.find("child").get("link") for joint in root.iterchildren("joint")}
+    (name,) = (
+        link.get("name") for link in root.iterchildren("link") if link.get("name") not in children
+    )
+    return str(name)
