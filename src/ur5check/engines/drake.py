@@ -231,7 +231,7 @@ def _parse(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
     if root != "world":  # a link of that name *is* Drake's world
         plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(root))
     frames = (plant.GetFrameByName(link) for link in (arm.source.base, arm.source.tip))
-    return (*frames, Transform.identity())  # type: ignore[return-value]
+    return (*frames, Transform.identity())
 
 
 def _build(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:

@@ -87,7 +87,8 @@ class MuJoCoEngine:
         def torque(x: Array, v: Array, a: Array) -> Array:
             self._place(x, v)
             self.data.qacc[self._v] = a
-            return self._rne(1) + self.model.dof_armature[self._v] * a
+            motors: Array = self.model.dof_armature[self._v] * a
+            return self._rne(1) + motors
 
         return self._each(torque, q, qd, qdd)
 
@@ -109,7 +110,7 @@ class MuJoCoEngine:
             self._place(x, np.zeros(self.arm.n))
             M = np.zeros((self.model.nv, self.model.nv))
             mujoco.mj_fullM(self.model, self.data, M)
-            return M[np.ix_(self._v, self._v)]
+            return np.asarray(M[np.ix_(self._v, self._v)])
 
         return each_state(crb, self.arm.n, (self.arm.n, self.arm.n), q)
 
@@ -200,7 +201,7 @@ class MuJoCoEngine:
     def _rne(self, accelerating: int) -> Array:
         torques = np.zeros(self.model.nv)
         mujoco.mj_rne(self.model, self.data, accelerating, torques)
-        return torques[self._v]
+        return np.asarray(torques[self._v])
 
     def _each(self, one: Callable[..., Array], *arrays: Array) -> Array:
         return each_state(one, self.arm.n, (self.arm.n,), *arrays)

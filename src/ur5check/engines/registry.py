@@ -82,5 +82,8 @@ def engine_class(key: str) -> MakeEngine:
 
 
 def make_engine(key: str, arm: SerialArm, gravity: ArrayLike | None = None) -> Engine:
-    """The referee of that key, holding an arm.  Raises as `engine_class`, and as the engine does."""
+    """The referee of that key, holding an arm.
+
+    Raises EngineError, or UsageError for an unknown key.
+    """
     return engine_class(key)(arm, gravity)

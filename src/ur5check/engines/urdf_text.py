@@ -56,7 +56,7 @@ def parsed(arm: SerialArm) -> Any:
 
 def written(root: Any) -> str:
     """A root element as text."""
-    return etree.tostring(root, encoding="unicode") + "\n"
+    return str(etree.tostring(root, encoding="unicode")) + "\n"
 
 
 def root_link(root: Any) -> str:
