@@ -8,6 +8,7 @@ from .cases import CASES
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .runs import Run
+from .statics import nothing_to_hold
 
 __all__ = ["as_expected", "posture_torque", "sine", "zero_and_constant"]
 
@@ -55,9 +56,11 @@ def as_expected(evidence: Evidence) -> Iterator[ClaimOutcome]:
 def expectation_trial(run: Run) -> Trial:
     """The watched torque held against the weights."""
     if run.as_expected:
-        why = f"peak {run.peak:.4g} N m" if run.expected_peak else "there is no weight to hold"
+        reason = nothing_to_hold(run.model.true_arm, run.q, run.case.watched or 1)
+        nothing = f"nothing to hold{': ' * bool(reason)}{reason}"
+        why = f"peak {run.peak:.4g} N m" if run.expected_peak else nothing
     elif not run.expected_peak:
-        why = f"peak {run.peak:.4g} N m, with no weight to hold"
+        why = f"peak {run.peak:.4g} N m, with nothing to hold"
     else:
         turned = ", the wrong way round" if run.opposed else ""
         part = 100.0 * (run.peak / run.expected_peak - 1.0)
@@ -81,7 +84,8 @@ def zero_and_constant(evidence: Evidence) -> Iterator[ClaimOutcome]:
 def zero_trial(run: Run) -> Trial:
     """No torque at all, all along."""
     largest = float(abs(run.watched).max())
-    return _trial(run, largest, run.rounding, "gravity lies along the axis")
+    why = nothing_to_hold(run.model.true_arm, run.q, run.case.watched or 1)
+    return _trial(run, largest, run.rounding, why)
 
 
 def posture_torque(evidence: Evidence) -> Iterator[ClaimOutcome]:

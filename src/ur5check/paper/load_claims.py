@@ -18,6 +18,7 @@ from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .models import PINOCCHIO
 from .runs import Run
+from .statics import nothing_to_hold
 
 __all__ = ["because_light", "less_than_case_2", "low"]
 
@@ -92,15 +93,14 @@ def because_light(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 def light_trial(run: Run, link: int) -> Trial:
     """The same case with a weightless link."""
-    column = (run.case.watched or 1) - 1
-    rest = gravity_torque(without_weight(run.model.arm, link), run.q)[:, column]
+    joint = run.case.watched or 1
+    rest = gravity_torque(without_weight(run.model.arm, link), run.q)[:, joint - 1]
     left = float(np.abs(rest).max())
     share = 1.0 - left / run.peak if run.peak else 0.0
     why = f"of {run.peak:.3g} N m, {left:.3g} stay without it"
     if run.peak == 0.0:
-        why = f"zero, whatever link {link} weighs: its centre of mass lies on the axis"
-    elif share < _HALF:
-        why += f": link {link}'s centre of mass lies near the axis"
+        reason = nothing_to_hold(run.model.true_arm, run.q, joint)
+        why = f"zero, whatever link {link} weighs{': ' * bool(reason)}{reason}"
     return Trial(run.model.name, run.model.form, share, _HALF, why, "at least")
 
 

@@ -16,7 +16,10 @@ from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array
 from ..dynamics.kinematics import link_frames
 
-__all__ = ["holding_torque"]
+__all__ = ["axes_in_space", "holding_torque", "nothing_to_hold"]
+
+#: As a file writes a quarter turn: 1.570796327, off by up to half a unit.
+_ANGLE_DIGITS = 5e-10
 
 
 def holding_torque(arm: SerialArm, q: Array) -> Array:
@@ -26,17 +29,45 @@ def holding_torque(arm: SerialArm, q: Array) -> Array:
 
     References: Siciliano et al., Robotics (2009), ch. 3 (statics).
     """
-    T = link_frames(arm, q)
-    starts = np.concatenate([np.broadcast_to(arm.base.matrix(), (len(q), 1, 4, 4)), T], axis=1)
-    centres = np.stack(
-        [T[:, k, :3, :3] @ link.inertia.com + T[:, k, :3, 3] for k, link in enumerate(arm.links)],
-        axis=1,
-    )
+    centres = _centres(arm, q)
+    points, axes = axes_in_space(arm, q)
     weights = np.outer([link.inertia.mass for link in arm.links], arm.gravity)
     tau = np.empty((len(q), arm.n))
-    for i, joint in enumerate(arm.joints):
-        axis = starts[:, i, :3, :3] @ joint.axis
-        levers = centres[:, i:] - starts[:, i, None, :3, 3]
-        moment = np.cross(levers, weights[i:]).sum(axis=1)
-        tau[:, i] = -(axis * moment).sum(axis=-1)
+    for i in range(arm.n):
+        moment = np.cross(centres[:, i:] - points[:, i, None], weights[i:]).sum(axis=1)
+        tau[:, i] = -(axes[:, i] * moment).sum(axis=-1)
     return tau
+
+
+def axes_in_space(arm: SerialArm, q: Array) -> tuple[Array, Array]:
+    """A point on every joint's axis, and its direction, in the base frame; each (N, n, 3) [m], [1].
+
+    q : shape (N, n) [rad]
+    """
+    base = np.broadcast_to(arm.base.matrix(), (len(q), 1, 4, 4))
+    starts = np.concatenate([base, link_frames(arm, q)[:, :-1]], axis=1)
+    axes = [starts[:, i, :3, :3] @ joint.axis for i, joint in enumerate(arm.joints)]
+    return starts[..., :3, 3], np.stack(axes, axis=1)
+
+
+def nothing_to_hold(arm: SerialArm, q: Array, joint: int) -> str:
+    """Why a joint, from 1, bears no weight at these states, in words; empty if that is not plain.
+
+    q : shape (N, n) [rad]
+    """
+    points, axes = axes_in_space(arm, q)
+    axis = axes[:, joint - 1]
+    if np.abs(np.cross(axis, arm.gravity)).max() <= _ANGLE_DIGITS * np.linalg.norm(arm.gravity):
+        return "gravity lies along the axis"
+    masses = np.array([link.inertia.mass for link in arm.links[joint - 1 :]])
+    centres = _centres(arm, q)[:, joint - 1 :]
+    centre = (centres * masses[:, None]).sum(axis=1) / masses.sum()
+    lever = np.linalg.norm(np.cross(centre - points[:, joint - 1], axis), axis=-1).max()
+    return "the centre of mass of what it carries lies on its axis" * bool(lever <= _ANGLE_DIGITS)
+
+
+def _centres(arm: SerialArm, q: Array) -> Array:
+    """Every link's centre of mass in the base frame, shape (N, n, 3) [m]."""
+    T = link_frames(arm, q)
+    centres = [T[:, k, :3, :3] @ x.inertia.com + T[:, k, :3, 3] for k, x in enumerate(arm.links)]
+    return np.stack(centres, axis=1)

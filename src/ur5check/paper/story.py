@@ -58,7 +58,7 @@ def headline(r: Reproduction, number: int) -> str:
     printed = _printed_holds(r, claim)
     then = _as_printed(r, number)
     if number == 4 and printed:
-        then = "gravity lies along the axis"
+        then = next(o.why for o in r.outcomes(claim) if o.form == "printed")
     if number == 8 and printed and _weightless(r):
         then = "zero, whatever link 6 weighs"
     return f"{yes if printed else no}; {then}" if then else (yes if printed else no)
@@ -84,6 +84,8 @@ def _as_printed(r: Reproduction, number: int) -> str:
         part = 100.0 * (appendix.peak / run.peak - 1.0) if run.peak else 0.0
         more = "more" if part > 0.0 else "less"
         return f"the appendix asks for {abs(part):.0f} % {more}" if part else ""
+    if not run.expected_peak:
+        return f"as printed {run.peak:.3g} N m, with nothing to hold"
     part = 100.0 * (run.peak / run.expected_peak - 1.0)
     turned = ", the wrong way round" if run.opposed else ""
     return f"as printed {abs(part):.0f} % too {'large' if part > 0.0 else 'small'}{turned}"
@@ -137,10 +139,11 @@ def _lightness(r: Reproduction) -> str:
     if not _weightless(r):
         return ""
     (seven,) = (o for o in r.outcomes("case-7-light") if o.model == REPAIRED)
+    (eight,) = (o for o in r.outcomes("case-8-light") if o.model == REPAIRED)
     return (
-        "The torques of cases 7 and 8 are low, but case 8 not because link 6 is light: its centre "
-        "of mass lies on the axis, and the torque is zero whatever it weighs. In case 7, link 5 is "
-        f"the cause of {100.0 * seven.value:.0f} % of the torque."
+        "The torques of cases 7 and 8 are low, but that of case 8 not because link 6 is light: it "
+        f"is {eight.why}. In case 7, link 5 is the cause of {100.0 * seven.value:.0f} % of the "
+        "torque."
     )
 
 

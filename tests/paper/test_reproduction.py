@@ -1,0 +1,155 @@
+"""What came of the paper: verdicts, slips, sentences, and the agreement all of it rests on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from paper.curves import replaced, with_curve
+from ur5check.paper.claim import Claim, ClaimOutcome, Trial, judged
+from ur5check.paper.claims import CLAIMS
+from ur5check.paper.evidence import Evidence
+from ur5check.paper.models import PINOCCHIO, PRINTED, REPAIRED
+from ur5check.paper.reproduction import Reproduction, judge
+from ur5check.paper.runs import Run
+from ur5check.paper.story import headline, headline_of_all, summary, tell
+
+VERDICTS = {
+    "vectors": "confirmed after repair",
+    "inertia-across": "refuted",
+    "inertia-along": "confirmed",
+    "inertia-frame": "refuted",
+    "case-1-sine": "confirmed",
+    "case-5-sine": "confirmed",
+    "case-1-expected": "confirmed after repair",
+    "case-2-expected": "confirmed after repair",
+    "case-3-expected": "confirmed after repair",
+    "case-4-expected": "confirmed",
+    "case-5-expected": "confirmed after repair",
+    "case-6-expected": "confirmed",
+    "case-7-expected": "confirmed",
+    "case-8-expected": "confirmed",
+    "case-3-less": "confirmed",
+    "case-4-zero": "confirmed",
+    "case-7-low": "confirmed",
+    "case-8-low": "confirmed",
+    "case-7-light": "confirmed",
+    "case-8-light": "refuted",
+    "case-9-holds": "confirmed after repair",
+    "soft-limits": "refuted",
+}
+
+
+def test_what_came_of_each_claim(reproduction: Reproduction) -> None:
+    came = {claim.id: verdict for claim, verdict in reproduction.verdicts.items()}
+    assert {name: came[name] for name in VERDICTS} == VERDICTS
+
+
+def test_a_claim_has_one_id_and_every_outcome_a_claim(reproduction: Reproduction) -> None:
+    ids = [claim.id for claim in reproduction.verdicts]
+    assert len(ids) == len(set(ids))
+    assert {outcome.id for outcome in reproduction.claims} == set(ids)
+    assert all(claim.test and claim.source and claim.unit for claim in reproduction.verdicts)
+    assert len(CLAIMS) == len(set(CLAIMS))
+
+
+def test_a_family_of_claims_is_one_line_more(evidence: Evidence) -> None:
+    claim = Claim("gain", "a gain", "a test", "eq. 28", "1")
+
+    def gain(_: Evidence) -> tuple[ClaimOutcome, ...]:
+        return judged(claim, [Trial("as printed", "printed", 2.0, 1.0)])
+
+    assert judge(evidence, (*CLAIMS, gain)).verdicts[claim] == "refuted"
+
+
+def test_our_recursion_and_the_referee_draw_the_same_curves(reproduction: Reproduction) -> None:
+    assert reproduction.trustworthy
+    assert reproduction.engines_apart < 1e-12
+
+
+@pytest.mark.parametrize("number", range(1, 10))
+def test_nothing_is_believed_where_the_referee_disagrees(
+    reproduction: Reproduction, number: int
+) -> None:
+    def spoil(run: Run) -> Run:
+        wrong = run.case.number == number and run.model.name == PINOCCHIO
+        return replaced(run, run.torque + 1e-9) if wrong else run
+
+    spoiled = replace(reproduction, cases=tuple(map(spoil, reproduction.cases)))
+    assert not spoiled.trustworthy
+
+
+def test_case_2_is_over_half_too_large_and_case_9_of_the_wrong_sign(
+    reproduction: Reproduction,
+) -> None:
+    effects = {effect.case: effect for effect in reproduction.effects}
+    assert effects[2].ratio == pytest.approx(-1.744, abs=5e-4)
+    assert effects[9].ratio == pytest.approx(-1.715, abs=5e-4)
+    assert set(effects) == {1, 2, 3, 5, 6, 7, 9}  # without torque, nothing can be wrong with it
+
+
+def test_the_listings_own_slips_explain_all_of_it(reproduction: Reproduction) -> None:
+    found = {finding.id: finding.links for finding in reproduction.slips.findings}
+    assert found["reach-sign"] == (2, 3, 5)
+    assert found["turn-rounded"] == (1, 4, 5)
+    for effect in reproduction.effects:
+        assert effect.left <= 1e-12
+        assert effect.mended == pytest.approx(effect.table, abs=1e-12)
+
+
+def test_the_phase_shows_where_the_arm_is_level(reproduction: Reproduction) -> None:
+    """Stretched out level at θ2 = 0: the peak is there, but for the wrist that stands aside."""
+    for model in (REPAIRED, "appendix", "erd-ur5"):
+        fit = reproduction.run(2, model).harmonic
+        assert fit is not None
+        assert np.degrees(fit.phase) == pytest.approx(-90.0, abs=2.0)
+    printed = reproduction.run(2, PRINTED).harmonic
+    assert printed is not None
+    assert np.degrees(printed.phase) == pytest.approx(90.0, abs=2.0)
+
+
+def test_the_story_says_what_was_measured(reproduction: Reproduction) -> None:
+    assert summary(reproduction).startswith("of 22 claims of the paper, 12 are confirmed, 6 only")
+    told = " ".join(tell(reproduction))
+    assert "asks joint 2 for 94.4 N m, 74 % more than the 54.1 N m" in told
+    assert "+65.9 N m for −38.4 N m: the wrong sign" in told
+    assert "0 of 6 printed inertia tensors follow eq. 3" in told
+    assert "6 follow m((3r)² + l²)·0.08333" in told
+
+
+def test_headlines_follow_the_curves(reproduction: Reproduction, evidence: Evidence) -> None:
+    assert (
+        headline(reproduction, 2)
+        == "Not as expected; as printed 74 % too large, the wrong way round"
+    )
+    assert headline(reproduction, 4) == "Zero and constant, as claimed; gravity lies along the axis"
+    assert headline(reproduction, 9) == (
+        "As printed, joint 2 is pushed the wrong way: +66 for −38 N m"
+    )
+    assert headline_of_all(reproduction) == (
+        "As printed, 6 of 6 claims on a curve's shape hold, and 5 of 9 torques are wrong"
+    )
+
+    def mend(run: Run) -> Run:
+        """The listing, had it been right."""
+        if run.model.name != PRINTED:
+            return run
+        right = evidence.run(run.case.number, REPAIRED).torque
+        return replaced(run, right)
+
+    def bend(run: Run) -> Run:
+        if run.model.name != PRINTED or run.case.watched is None:
+            return run
+        return with_curve(run, 100.0 + run.watched**2)
+
+    mended = judge(replace(evidence, runs=tuple(map(mend, evidence.runs))))
+    assert headline(mended, 2) == "As expected; the appendix asks for 7 % more"
+    assert headline(mended, 9) == "The torques as printed hold the arm"
+    assert headline_of_all(mended).endswith("and 0 of 9 torques are wrong")
+    bent = judge(replace(evidence, runs=tuple(map(bend, evidence.runs))))
+    assert headline(bent, 1).startswith("No sine; as printed")
+    assert headline(bent, 4).startswith("Not zero; as printed")
+    assert "2 hold as printed" not in summary(bent)
+    assert any(line.startswith("Of 6 claims on the shape of a curve,") for line in tell(bent))
