@@ -11,7 +11,8 @@ elsewhere, and the digits are those that they would have been.
 from __future__ import annotations
 
 import pickle
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
+from concurrent.futures import CancelledError
 from functools import lru_cache
 from itertools import islice
 from typing import Any
@@ -27,30 +28,27 @@ from .tally import Tally, merged
 __all__ = ["cluster"]
 
 _BOUGH = 8  # spans that are merged before they travel
-_PATIENCE = 10.0  # [s] for the scheduler to answer
 _AHEAD = 2  # tasks under way for each thread of the workers
+_PATIENCE = 10.0  # [s] for the scheduler to answer
 
 
 def cluster(address: str) -> Crew:
     """The workers of the scheduler at `address` ("tcp://192.0.2.7:8786").
 
-    Raises UsageError, once at work, where no scheduler answers or a worker has another version.
+    Raises UsageError, once at work, where no scheduler answers, or its workers are others than this
+    process: not the same versions, or not the same engine.
     """
 
-    def work(plan: Plan, todo: Iterable[Span]) -> Iterator[Tally]:
-        payload = pickle.dumps(plan)
-        versions = (__version__, np.__version__)
+    def work(plan: Plan, todo: Iterable[Span]) -> Generator[Tally]:
+        payload, made_by = pickle.dumps(plan), _versions(plan)
         with _client(address) as client:
 
             def bough(spans: tuple[Span, ...]) -> Any:
-                tasks = [
-                    client.submit(_tally, payload, versions, span, pure=False) for span in spans
-                ]
+                tasks = [client.submit(_task, payload, made_by, span, pure=False) for span in spans]
                 return client.submit(merged, tasks, pure=False)
 
-            threads = sum(client.nthreads().values())
-            ahead = 2 + _AHEAD * threads // _BOUGH
-            yield from in_order(_boughs(todo), bough, lambda future: future.result(), ahead)
+            ahead = 2 + _AHEAD * sum(client.nthreads().values()) // _BOUGH
+            yield from in_order(_boughs(todo), bough, _got, ahead)
 
     return work
 
@@ -84,16 +82,28 @@ def _client(address: str) -> Any:
     return client
 
 
-def _tally(payload: bytes, versions: tuple[str, str], span: Span) -> Tally:
-    """One task, on a worker."""
-    ours = (__version__, np.__version__)
-    if ours != versions:
+def _got(future: Any) -> Tally:
+    from distributed import KilledWorker
+
+    try:
+        tally: Tally = future.result()
+    except KilledWorker as error:
+        raise UsageError(f"workers die at their work; look into their logs ({error})") from None
+    except CancelledError:
         raise UsageError(
-            "a worker has ur5check {} and numpy {}, the sweep {} and {}; install the same".format(
-                *ours, *versions
-            )
+            "the scheduler went away; start it again, and with --checkpoint go on from there"
+        ) from None
+    return tally
+
+
+def _task(payload: bytes, made_by: dict[str, str], span: Span) -> Tally:
+    """One task, on a worker."""
+    plan = _plan(payload)
+    if (ours := _versions(plan)) != made_by:
+        raise UsageError(
+            f"a worker has {_listed(ours)}, the sweep {_listed(made_by)}; install the same on both"
         )
-    return _plan(payload).tally(*span)
+    return plan.tally(*span)
 
 
 @lru_cache(maxsize=4)
@@ -101,3 +111,12 @@ def _plan(payload: bytes) -> Plan:
     """Unpacked once in each process, so that a kernel is compiled once."""
     plan: Plan = pickle.loads(payload)  # noqa: S301 - a cluster runs what its client sends anyway
     return plan
+
+
+def _versions(plan: Plan) -> dict[str, str]:
+    """What two processes must have in common to compute the same digits."""
+    return {"ur5check": __version__, "numpy": np.__version__, "engine": plan.engine}
+
+
+def _listed(versions: dict[str, str]) -> str:
+    return ", ".join(f"{name} {version}" for name, version in versions.items())

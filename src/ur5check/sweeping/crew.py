@@ -7,7 +7,7 @@ listens can say at any moment: all blocks before this one are done.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import TypeVar
 
@@ -17,7 +17,7 @@ from .tally import Tally
 __all__ = ["Crew", "Span", "in_order", "spans", "threads"]
 
 Span = tuple[int, int]  # blocks start … stop − 1
-Crew = Callable[[Plan, Iterable[Span]], Iterator[Tally]]
+Crew = Callable[[Plan, Iterable[Span]], Generator[Tally]]
 
 J = TypeVar("J")
 T = TypeVar("T")
@@ -33,7 +33,7 @@ def spans(start: int, stop: int, batch: int) -> Iterator[Span]:
 def threads(count: int) -> Crew:
     """`count` threads of this process."""
 
-    def work(plan: Plan, todo: Iterable[Span]) -> Iterator[Tally]:
+    def work(plan: Plan, todo: Iterable[Span]) -> Generator[Tally]:
         if count == 1:
             yield from (plan.tally(*span) for span in todo)
             return

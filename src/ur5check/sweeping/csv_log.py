@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -44,13 +45,15 @@ class CsvLog:
     def block(self, k: int) -> States:
         """Raises StateError with file, line, column and value for what is no finite number."""
         with self.file.open("rb") as file:
+            if file.seek(0, os.SEEK_END) != self.starts[-1]:
+                raise self._changed()
             file.seek(self.starts[k])
             text = file.read(self.starts[k + 1] - self.starts[k])
         lines = min(BLOCK, self.count - BLOCK * k)
         rows = self._parsed(text, lines)
         if rows is None:
             self._blame(text.decode("utf-8", "replace").split("\n")[:lines], 2 + BLOCK * k)
-            raise StateError(f"{self.file}: has changed since it was opened; start again")
+            raise self._changed()
         return states_of(rows)
 
     def _parsed(self, text: bytes, lines: int) -> Array | None:
@@ -86,6 +89,9 @@ class CsvLog:
                         f"{self.file}:{number}: column {self.header[column]!r} is no finite number "
                         f"(got {cells[column]!r}); mend or leave out this line"
                     )
+
+    def _changed(self) -> StateError:
+        return StateError(f"{self.file}: is not the file that the sweep began with; start again")
 
     def description(self) -> dict[str, Any]:
         """What the states depend on: the file's content, not its name."""

@@ -59,7 +59,7 @@ class Journal:
         now = monotonic()
         if now - self._said >= _SAY_EVERY:
             self._said = now
-            self._say(self._sentence(now))
+            self._say(self._sentence())
         if now - self._written >= self._every:
             self._save()
             self._written = monotonic()
@@ -74,7 +74,9 @@ class Journal:
         trace: TracebackType | None,
     ) -> None:
         self._save()
-        if kind is not None and self._path is not None and self._done is not None:
+        if kind is None:
+            self._say(self._summary())
+        elif self._path is not None and self._done is not None:
             self._say(f"{self._path} keeps {self.tally.count:,} states; the same command goes on")
 
     def _save(self) -> None:
@@ -82,11 +84,18 @@ class Journal:
             save(self._path, self._plan, self._done)
             self._saved = self._done
 
-    def _sentence(self, now: float) -> str:
-        count, total = self.tally.count, self._plan.sample.count
-        rate = (count - self._first) / max(now - self._began, 1e-9)
+    def _rate(self) -> float:
+        """States a second, of those done here."""
+        return (self.tally.count - self._first) / max(monotonic() - self._began, 1e-9)
+
+    def _sentence(self) -> str:
+        count, total, rate = self.tally.count, self._plan.sample.count, self._rate()
         left = duration((total - count) / rate)
         return f"{count:,} of {total:,} states, {rate:,.0f} a second, {left} left"
+
+    def _summary(self) -> str:
+        count, rate = self.tally.count - self._first, self._rate()
+        return f"{count:,} states in {monotonic() - self._began:.1f} s, {rate:,.0f} a second"
 
 
 def duration(seconds: float) -> str:

@@ -65,6 +65,8 @@ class ParquetLog:
 def _row_group(log: ParquetLog, group: int) -> Array:
     """One row group, shape (3 n, rows).  Raises StateError for what is no finite number."""
     with import_parquet().ParquetFile(log.file) as file:
+        if file.metadata.num_rows != log.count:
+            raise StateError(f"{log.file}: is not the file that the sweep began with; start again")
         table = file.read_row_group(group, columns=list(log.columns), use_threads=False)
     rows = np.empty((len(log.columns), table.num_rows))
     for row, name in zip(rows, log.columns, strict=True):

@@ -17,7 +17,7 @@ from ..errors import UsageError
 from ..version import __version__
 from ..worst_case.state_box import state_box
 from .reach_map import ReachGrid, reach_grid, tool_position
-from .sample import BLOCK, Sample, blocks_of
+from .sample import BLOCK, Sample, blocks_of, box_value
 from .tally import Tally, merged, tally_of
 from .torques import TorqueDifference, torque_difference
 
@@ -85,13 +85,14 @@ class Plan:
 
 def plan_of(pair: Pair, sample: Sample, over: ArrayLike | None) -> Plan:
     """The plan for a pair of arms.  Raises UsageError for a limit that is none."""
-    box = state_box(pair, 0.0)
+    box = sample.description().get("box") or box_value(state_box(pair, 0.0))
+    travel = np.abs([box["lower"], box["upper"]]).max(axis=0)
     return Plan(
         _bare(pair.a),
         _bare(pair.b),
         sample,
         None if over is None else _limits(over, pair.a.n),
-        reach_grid(pair.a, np.maximum(np.abs(box.lower), np.abs(box.upper))),
+        reach_grid(pair.a, travel),
         min(max(sample.count // _MAP_STATES, 1), _MAP_EVERY),
     )
 

@@ -3,8 +3,8 @@
 Point i is the exclusive or of the direction numbers v_b over the bits b of i's Gray code, i ^ i/2,
 and of a shift.  BLOCK is a power of two, so that the bits of BLOCK·k and of a point's place within
 block k do not meet: block k is block 0, with the direction numbers of BLOCK·k's Gray code
-exclusive-or'ed into every point.  SciPy's own `fast_forward` goes there step by step, which for the
-last of a billion states takes longer than their torques.
+exclusive-or'ed into every point.  SciPy's own `fast_forward` goes there step by step, and (1.17)
+with no more than 32 bits.
 """
 
 from __future__ import annotations
@@ -55,5 +55,5 @@ def _net(dimensions: int, seed: int) -> tuple[Words, Words]:
 
     sobol = Sobol(dimensions, scramble=True, bits=_BITS, rng=np.random.default_rng(seed))
     points = sobol.random(BLOCK).T
-    # SciPy shows its direction numbers to nobody; a test holds every jump against `fast_forward`.
+    # SciPy shows its direction numbers to nobody; a test holds our jumps against its own walk.
     return np.ascontiguousarray(points * 2.0**_BITS).astype(np.uint64), sobol._sv.copy()

@@ -9,6 +9,7 @@ Who computes the blocks, how many at a time and in which order changes no digit 
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import closing
 from os import PathLike
 from pathlib import Path
 from typing import Literal
@@ -118,8 +119,9 @@ def run(
     """All blocks of a plan that are not done yet, and with those that are: one tally."""
     done = None if checkpoint is None else load_checkpoint(checkpoint, plan)
     journal = Journal(plan, checkpoint, checkpoint_every, done, progress)
-    with journal:
-        for tally in crew(plan, spans(journal.blocks, plan.blocks, batch)):
+    # Closed before the journal is, so that no thread works on while it saves.
+    with journal, closing(crew(plan, spans(journal.blocks, plan.blocks, batch))) as tallies:
+        for tally in tallies:
             journal.add(tally)
     return journal.tally
 

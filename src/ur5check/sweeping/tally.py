@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..arm.states import States
 from ..arm.transforms import Array
+from ..errors import StateError
 from .exact import exact
 from .magnitudes import Counts, count_sizes
 
@@ -82,17 +83,26 @@ def tally_of(
     delta : Δτ, shape (N, n) [N m];  first : index of the block's first state
     over : the limit per joint, shape (n,) [N m]; None if none was asked for
     cell : where the tool of every `every`-th state is, on a map of `cells` cells
+
+    Raises StateError for a difference that is no finite number.
     """
     rows = np.ascontiguousarray(delta.T)  # one row a joint
     n, count = rows.shape
     sizes = np.abs(rows)
-    where = sizes.argmax(axis=1)  # the first of equal ones
+    where = sizes.argmax(axis=1)  # the first of equal ones, and of those that are no number
+    squares = np.square(rows).sum(axis=1)
+    if not np.isfinite(squares).all():
+        j = int(np.flatnonzero(~np.isfinite(squares))[0])
+        raise StateError(
+            f"state {first + int(where[j])}: the torque difference of joint {j + 1} is "
+            f"{rows[j, where[j]]} N m, beyond all computing; look at this state's numbers"
+        )
     reach = np.zeros((n, cells))
     for found, size in zip(reach, sizes[:, ::every], strict=True):
         np.maximum.at(found, cell, size)
     return Tally(
         count,
-        tuple(exact(float(total)) for total in np.square(rows).sum(axis=1)),
+        tuple(exact(float(total)) for total in squares),
         sizes[np.arange(n), where],
         first + where.astype(np.int64),
         np.stack([part[where] for part in (states.q, states.qd, states.qdd)], axis=1),
