@@ -13,7 +13,9 @@ from ur5check.figures.files import as_png, as_svg
 from ur5check.figures.overview import draw_overview
 from ur5check.figures.style import LOOKS, READING_ORDER
 from ur5check.paper.cases import case
-from ur5check.paper.reproduction import Reproduction, reproduce
+from ur5check.paper.claims import OF_CASES
+from ur5check.paper.evidence import gather
+from ur5check.paper.reproduction import Reproduction, judge
 from ur5check.paper.story import headline, headline_of_all
 
 #: A picture on a page shall load at once.
@@ -22,7 +24,7 @@ MOST_BYTES = 60_000
 
 @pytest.fixture(scope="module")
 def reproduction() -> Reproduction:
-    return reproduce()
+    return judge(gather(lambda line: None), OF_CASES)
 
 
 @pytest.mark.parametrize("number", range(1, 9))

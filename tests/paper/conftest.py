@@ -1,9 +1,10 @@
-"""The paper, reproduced once."""
+"""The paper at rest, reproduced once: its numbers, its nine cases, its limits."""
 
 from __future__ import annotations
 
 import pytest
 
+from ur5check.paper.claims import OF_CASES, OF_LIMITS, OF_NUMBERS
 from ur5check.paper.evidence import Evidence, gather
 from ur5check.paper.reproduction import Reproduction, judge
 
@@ -15,4 +16,4 @@ def evidence() -> Evidence:
 
 @pytest.fixture(scope="session")
 def reproduction(evidence: Evidence) -> Reproduction:
-    return judge(evidence)
+    return judge(evidence, (*OF_NUMBERS, *OF_CASES, *OF_LIMITS))

@@ -89,3 +89,15 @@ def test_no_cylinder_fits_a_flat_tensor(evidence: Evidence) -> None:
     (first, *_) = tensor_formulas(listing.with_inertias(bodies), appendix)
     assert math.isnan(first.honest_length)
     assert first.formula is None
+
+
+def test_only_link_1_has_a_twin_under_the_honest_formula(evidence: Evidence) -> None:
+    """3 r² + 0.21² = 9 r² + 0.15² for r = 0.06, as the page says; no other link has one."""
+    twins = {}
+    for f in evidence.formulas:
+        radius, _ = CYLINDERS[f.link]
+        length = math.sqrt(f.across / (f.mass * 0.08333) - 3 * radius**2)
+        slack = f.half_unit / (f.mass * 0.08333) / (2 * length)
+        if abs(length - round(length, 4)) <= slack:
+            twins[f.link] = round(length, 4)
+    assert twins == {1: 0.21}

@@ -1,4 +1,4 @@
-"""Where a result goes: stdout, or a file that is either whole or not there."""
+"""Where a result goes: stdout, or files, each of which is either whole or not there."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 import secrets
 import shutil
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -16,7 +16,16 @@ from ..errors import UsageError
 if TYPE_CHECKING:
     from ..reports.document import Document
 
-__all__ = ["FORMATS", "Format", "check_output", "emit", "format_of", "rendered"]
+__all__ = [
+    "FORMATS",
+    "Format",
+    "check_folder",
+    "check_output",
+    "emit",
+    "emit_files",
+    "format_of",
+    "rendered",
+]
 
 Format = Literal["text", "json", "markdown"]
 FORMATS: tuple[Format, ...] = ("text", "json", "markdown")
@@ -76,6 +85,35 @@ def check_output(output: str | None, inputs: Iterable[Path], *, option: str = "-
     for file in inputs:
         if target.exists() and file.exists() and target.samefile(file):
             raise UsageError(f"{option} {output}: is one of the inputs; name another file")
+
+
+def check_folder(folder: str, *, option: str) -> None:
+    """Refuse, before any work is done, a folder that files cannot be put into.
+
+    It may be there, with other files in it, or be made in a folder that is.  Raises UsageError.
+    """
+    target = Path(folder)
+    if target.exists() and not target.is_dir():
+        raise UsageError(f"{option} {folder}: is no folder; name one")
+    above = target.resolve().parent
+    if not above.is_dir():
+        raise UsageError(f"{option} {folder}: there is no folder {str(above)!r}; make it first")
+    if not os.access(target if target.exists() else above, os.W_OK):
+        raise UsageError(f"{option} {folder}: may not be written; check the permissions")
+
+
+def emit_files(files: Mapping[str, bytes], folder: str, *, option: str) -> None:
+    """Put files into a folder, in the place of older ones of their names.
+
+    files : content by name.  Raises UsageError if one cannot be written.
+    """
+    target = Path(folder).resolve()
+    try:
+        target.mkdir(exist_ok=True)
+        for name, content in files.items():
+            _replace(target / name, content)
+    except OSError as error:
+        raise UsageError(f"{option} {folder}: cannot be written: {error.strerror}") from None
 
 
 def emit(text: str, output: str | None, *, option: str = "-o") -> None:

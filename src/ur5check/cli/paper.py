@@ -12,9 +12,8 @@ import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import UsageError
 from .options import add_output_options, progress
-from .output import check_output, emit, format_of, rendered
+from .output import check_folder, check_output, emit, emit_files, format_of, rendered
 
 if TYPE_CHECKING:
     from ..paper.reproduction import Reproduction
@@ -45,9 +44,10 @@ def run(args: argparse.Namespace) -> int:
     from ..reports.paper_json import paper_json
 
     check_output(args.output, _inputs())
-    folder = None if args.figures is None else _folder(args.figures)
+    if args.figures is not None:
+        _check_figures(args.figures)
     r = reproduce(lambda line: progress(args.quiet, line))
-    pictures = {} if folder is None else _pictures(r, quiet=args.quiet)
+    pictures = {} if args.figures is None else _pictures(r, quiet=args.quiet)
     command = shlex.join(["ur5check", "paper"])
     form = format_of(args.format, args.output)
     text = rendered(
@@ -56,8 +56,8 @@ def run(args: argparse.Namespace) -> int:
         document=lambda: paper_document(r, written_out=form == "markdown", command=command),
         report=lambda: paper_json(r, command=command),
     )
-    if folder is not None:
-        _write(folder, pictures)
+    if args.figures is not None:
+        emit_files(pictures, args.figures, option="--figures")
         progress(args.quiet, f"drew {len(pictures)} pictures in {args.figures}")
     emit(text, args.output)
     return 0 if r.trustworthy else 1
@@ -69,18 +69,11 @@ def _inputs() -> list[Path]:
     return [entry.path() for entry in CATALOG.values()]
 
 
-def _folder(given: str) -> Path:
-    """The folder for pictures; UsageError, before any work is done, if there cannot be one."""
+def _check_figures(folder: str) -> None:
     from ..figures.style import matplotlib
 
     matplotlib()
-    folder = Path(given)
-    if folder.exists() and not folder.is_dir():
-        raise UsageError(f"--figures {given}: is no folder; name one")
-    if not folder.resolve().parent.is_dir():
-        above = str(folder.resolve().parent)
-        raise UsageError(f"--figures {given}: there is no folder {above!r}; make it first")
-    return folder
+    check_folder(folder, option="--figures")
 
 
 def _pictures(r: Reproduction, *, quiet: bool) -> dict[str, bytes]:
@@ -94,12 +87,3 @@ def _pictures(r: Reproduction, *, quiet: bool) -> dict[str, bytes]:
     drawn["paper-all-cases"] = draw_overview(r)
     pictures = {f"{name}.svg": as_svg(figure) for name, figure in drawn.items()}
     return pictures | {f"{name}.png": as_png(figure) for name, figure in drawn.items()}
-
-
-def _write(folder: Path, pictures: dict[str, bytes]) -> None:
-    try:
-        folder.mkdir(exist_ok=True)
-        for name, content in pictures.items():
-            (folder / name).write_bytes(content)
-    except OSError as error:
-        raise UsageError(f"--figures {folder}: cannot be written: {error.strerror}") from None

@@ -20,15 +20,20 @@ from .number_claims import (
 )
 from .soft_limits import soft_limits
 
-__all__ = ["CLAIMS", "ClaimFunction"]
+__all__ = ["CLAIMS", "OF_CASES", "OF_LIMITS", "OF_NUMBERS", "ClaimFunction"]
 
 ClaimFunction = Callable[[Evidence], Iterable[ClaimOutcome]]
 
-CLAIMS: tuple[ClaimFunction, ...] = (
+#: Lengths and inertia tensors.
+OF_NUMBERS: tuple[ClaimFunction, ...] = (
     vectors_from_dh,
     across_the_axis,
     along_the_axis,
     tensors_lie_along_links,
+)
+
+#: The nine test cases.
+OF_CASES: tuple[ClaimFunction, ...] = (
     sine,
     as_expected,
     less_than_case_2,
@@ -36,5 +41,9 @@ CLAIMS: tuple[ClaimFunction, ...] = (
     low,
     because_light,
     posture_torque,
-    soft_limits,
 )
+
+#: The appendix's joint limits.
+OF_LIMITS: tuple[ClaimFunction, ...] = (soft_limits,)
+
+CLAIMS = (*OF_NUMBERS, *OF_CASES, *OF_LIMITS)

@@ -160,10 +160,10 @@ def _tensors(r: Reproduction) -> str:
 
 
 def _soft(r: Reproduction) -> str:
-    (printed,) = (o for o in r.outcomes("soft-limits") if o.form == "printed")
-    if printed.holds:
+    wrong = [o for o in r.outcomes("soft-limits") if o.form == "printed" and not o.holds]
+    if not wrong:
         return ""
-    return f"One joint's soft limits lie outside its own, and never act: {printed.why}."
+    return f"One joint's soft limits lie outside its own, and never act: {wrong[0].why}."
 
 
 def _printed_holds(r: Reproduction, claim: str) -> bool:
