@@ -148,6 +148,7 @@ class DartEngine:
             self._gravity_read,
             self._tool().matrix(),
             int(self.skeleton.getNumDofs()),
+            self.said,
         )
 
     def _held_joint(self, k: int) -> Joint:

@@ -152,6 +152,7 @@ class DrakeEngine:
             self._gravity_read,
             self._tool().matrix(),
             int(self.plant.num_positions()),
+            self.said,
         )
 
     def _held_joint(self, i: int) -> Joint:

@@ -45,6 +45,7 @@ class Holdings:
     gravity : what the engine would take if nobody told it, in the arm's base frame [m/s²]
     tool : pose of the tool in the base frame at q = 0, shape (4, 4)
     coordinates : how many position coordinates the engine uses for the arm's joints
+    said : warnings of the engine's own while it read the model
     """
 
     joints: tuple[Joint, ...]
@@ -52,6 +53,7 @@ class Holdings:
     gravity: Array
     tool: Array
     coordinates: int
+    said: tuple[str, ...] = ()
 
 
 def moving_inertias(holdings: Holdings, arm: SerialArm) -> list[Inertia]:

@@ -135,6 +135,7 @@ class IDynTreeEngine:
             self._gravity_read,
             self._tool().matrix(),
             int(self.model.getNrOfPosCoords()),
+            self.said,
         )
 
     def _held_joint(self, k: int) -> Joint:

@@ -9,7 +9,8 @@ tool and the base are before it does, so that its own kinematics still tells whe
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, ClassVar
 
 import mujoco
@@ -58,7 +59,9 @@ class MuJoCoEngine:
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
         self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
-        self.model = _compiled(arm)
+        with _heard() as said:
+            self.model = _compiled(arm)
+        self.said = tuple(said)
         self.data = mujoco.MjData(self.model)
         self._joints = [self._joint_id(name) for name in arm.joint_names]
         self._q = self.model.jnt_qposadr[self._joints]
@@ -147,6 +150,7 @@ class MuJoCoEngine:
             self._gravity_read,
             (self._T_base_world @ self._site(_TOOL)).matrix(),
             int(self.model.nq),
+            self.said,
         )
 
     def _held_joint(self, k: int) -> Joint:
@@ -262,3 +266,14 @@ def _quaternion(R: Array) -> Array:
     quaternion = np.empty(4)
     mujoco.mju_mat2Quat(quaternion, np.ascontiguousarray(R).ravel())
     return quaternion
+
+
+@contextmanager
+def _heard() -> Iterator[list[str]]:
+    """MuJoCo's warnings meanwhile; left alone it writes them to a file in the current folder."""
+    lines: list[str] = []
+    mujoco.set_mju_user_warning(lines.append)
+    try:
+        yield lines
+    finally:
+        mujoco.set_mju_user_warning(None)

@@ -20,6 +20,7 @@ from ..arm.serial_arm import Joint, Limits, SerialArm
 from ..arm.transforms import Array, Transform
 from ..errors import EngineError
 from .holdings import HeldBody, Holdings
+from .said import listening
 
 __all__ = ["PinocchioEngine"]
 
@@ -37,9 +38,12 @@ class PinocchioEngine:
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
+        self.said: tuple[str, ...] = ()
         if arm.source.urdf is not None:
             self.route = "URDF text, own parser"
-            whole = _parse(arm.source.urdf, arm.name)
+            with listening() as said:
+                whole = _parse(arm.source.urdf, arm.name)
+            self.said = tuple(said)
         elif arm.source.model is not None:
             self.route = "pin.Model"
             whole = arm.source.model
@@ -171,6 +175,7 @@ class PinocchioEngine:
             self._gravity_read,
             self.forward_kinematics(np.zeros(self.arm.n)),
             sum(joint.nq for joint in self._joints),
+            self.said,
         )
 
     def _pose(self, joint: int) -> Transform:

@@ -1,0 +1,265 @@
+"""Known habits of readers: what each does to a model, why, and what helps.
+
+A habit has an id by which reports, docs and tests name it, and the kinds of import difference that
+it explains (`parity.import_difference` lists them).  Some are harmless, some cost newton metres.
+Where a rewritten file helps, `remedied` writes it; where only a human can (a tensor that no body
+has), the remedy says what to do.
+
+Measured with Pinocchio 4.1, MuJoCo 4.0, Drake 1.51, DART 6.20 and iDynTree 15.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from lxml import etree
+
+from ..arm.serial_arm import SerialArm
+from ..errors import UsageError
+from .remedies import (
+    fix_root_to_world,
+    keep_shapes_massless,
+    say_effort_in_transmissions,
+    write_massless_links,
+)
+from .urdf_text import written
+
+__all__ = ["HABITS", "TARGETS", "Habit", "habit_for", "habits_of", "remedied", "remedied_text"]
+
+
+@dataclass(frozen=True)
+class Habit:
+    """Something that an engine does to a model when it reads it.
+
+    engine : its key in the registry, or "gazebo"
+    kinds : of import differences that this habit explains
+    harmful : whether torques change
+    rewrite : makes the file right for this engine, in place; None where no rewriting can
+    """
+
+    id: str
+    engine: str
+    kinds: tuple[str, ...]
+    harmful: bool
+    title: str
+    explanation: str
+    remedy: str
+    rewrite: Callable[[Any], None] | None = None
+
+
+HABITS: tuple[Habit, ...] = (
+    Habit(
+        "pinocchio-merges-fixed-links",
+        "pinocchio",
+        ("body-merged", "base-kept", "base-ignored"),
+        False,
+        "fixed links are merged into their parents",
+        "Links behind fixed joints become part of the moving link that carries them, those on the "
+        "base part of the universe, where they weigh nothing on any joint.",
+        "none is needed: torques do not change",
+    ),
+    Habit(
+        "pinocchio-continuous-joint",
+        "pinocchio",
+        ("coordinates",),
+        False,
+        "a continuous joint takes two coordinates",
+        "It is held as (cos q, sin q), so that nq exceeds nv.",
+        "none is needed here; in your own code use pin.integrate and model.joints[i].nq",
+    ),
+    Habit(
+        "mujoco-mass-from-shape",
+        "mujoco",
+        ("shape-mass",),
+        True,
+        "a link without <inertial> gets the mass of its collision shape",
+        "A body without an inertial is filled with the density of water, 1000 kg/m³, wherever it "
+        "has a collision shape, and melted into the link that carries it.",
+        'set <mujoco><compiler inertiafromgeom="false"/></mujoco>; `ur5check expand --for mujoco`',
+        keep_shapes_massless,
+    ),
+    Habit(
+        "mujoco-fuses-fixed-links",
+        "mujoco",
+        ("body-merged", "body-lost"),
+        False,
+        "fixed links melt into their parents",
+        "Links behind fixed joints lose their names and frames, the tool's among them "
+        "(fusestatic, on for URDF); their inertias are kept.",
+        "none is needed for torques; for the frames set fusestatic='false'",
+    ),
+    Habit(
+        "mujoco-base-is-world",
+        "mujoco",
+        ("base-ignored",),
+        False,
+        "the root link becomes the world",
+        "It is held still and its inertia is dropped: a base that stands bears on no joint.",
+        "none is needed: torques do not change",
+    ),
+    Habit(
+        "mujoco-no-velocity-limit",
+        "mujoco",
+        ("velocity-limit",),
+        False,
+        "velocity limits are not kept",
+        "MuJoCo's joints know position and force ranges only.",
+        "limit velocities in the controller",
+    ),
+    Habit(
+        "mujoco-equal-limits",
+        "mujoco",
+        ("position-limit",),
+        False,
+        "equal lower and upper limits are ignored",
+        "A joint that is limited to one position turns freely.",
+        "make it a fixed joint",
+    ),
+    Habit(
+        "drake-impossible-tensor",
+        "drake",
+        ("tensor-changed", "com-moved", "mass-changed"),
+        True,
+        "a tensor that no body has is replaced",
+        "A tensor that breaks the triangle inequality, if only in its last printed digit, gives "
+        "way to that of a solid sphere of water density and the same mass, with a warning on the "
+        "log. Moments can shrink a hundredfold.",
+        "correct the tensor: print more digits, or raise the smallest moments",
+    ),
+    Habit(
+        "drake-effort-from-transmission",
+        "drake",
+        ("effort-limit",),
+        False,
+        "effort limits count only where there is a transmission",
+        "A joint has no actuator, and so no effort limit, unless a <transmission> drives it.",
+        "add a <transmission> for each joint; `ur5check expand --for drake`",
+        say_effort_in_transmissions,
+    ),
+    Habit(
+        "drake-no-friction",
+        "drake",
+        ("friction",),
+        False,
+        "dry friction is not kept",
+        "A MultibodyPlant has no Coulomb friction in its joints, and says so on the log.",
+        "add it as a force of your own",
+    ),
+    Habit(
+        "drake-floating-root",
+        "drake",
+        (),
+        True,
+        "the root floats unless it is welded",
+        "A URDF's root is free in space until WeldFrames, or a root link of the name `world`, "
+        "holds it. ur5check welds it.",
+        "name the root `world`; `ur5check expand --for drake`",
+        fix_root_to_world,
+    ),
+    Habit(
+        "dart-default-inertia",
+        "dart",
+        ("default-inertia",),
+        True,
+        "a link without <inertial> weighs 1 kg",
+        "DART gives such a link, a tool frame for instance, 1 kg and moments of 1 kg m².",
+        "write an <inertial> of mass zero; `ur5check expand --for dart`",
+        write_massless_links,
+    ),
+    Habit(
+        "dart-floating-root",
+        "dart",
+        (),
+        True,
+        "the root floats unless it is told to stand",
+        "DartLoader makes the root joint floating by default. ur5check asks for a fixed one.",
+        "set mDefaultRootJointType to FIXED, or hang the root on a link `world`; "
+        "`ur5check expand --for dart`",
+        fix_root_to_world,
+    ),
+    Habit(
+        "dart-no-motor-inertia",
+        "dart",
+        ("armature",),
+        True,
+        "a motor's inertia has no place",
+        "DART's joints carry no armature.",
+        "add it to the mass matrix, or compare without it",
+    ),
+    Habit(
+        "idyntree-links-become-frames",
+        "idyntree",
+        ("body-lost", "body-merged"),
+        False,
+        "massless links at the ends become frames",
+        "A link without <inertial> behind a fixed joint is kept as a frame of its parent.",
+        "none is needed: torques do not change",
+    ),
+    Habit(
+        "idyntree-continuous-limits",
+        "idyntree",
+        ("position-limit",),
+        False,
+        "a continuous joint has limits of 0",
+        "With a <limit> for effort and velocity, a continuous joint says that it has position "
+        "limits, both 0.",
+        "read the limits of revolute joints only",
+    ),
+    Habit(
+        "idyntree-no-motor-inertia",
+        "idyntree",
+        ("armature",),
+        True,
+        "a motor's inertia has no place",
+        "iDynTree's joints carry no armature.",
+        "add it to the mass matrix, or compare without it",
+    ),
+    Habit(
+        "gazebo-floating-root",
+        "gazebo",
+        (),
+        True,
+        "the root falls unless it hangs on `world`",
+        "A model spawned from a URDF is free unless its root is a link named `world`.",
+        "hang the root on `world`; `ur5check expand --for gazebo`",
+        fix_root_to_world,
+    ),
+)
+
+#: What `remedied_text` and `ur5check expand --for` write for.
+TARGETS = tuple(dict.fromkeys(habit.engine for habit in HABITS if habit.rewrite is not None))
+
+
+def habits_of(key: str) -> tuple[Habit, ...]:
+    """The habits of one engine."""
+    return tuple(habit for habit in HABITS if habit.engine == key)
+
+
+def habit_for(key: str, kind: str) -> Habit | None:
+    """The habit of an engine that explains an import difference of this kind, if one does."""
+    return next((habit for habit in habits_of(key) if kind in habit.kinds), None)
+
+
+def remedied_text(urdf: str, key: str) -> str:
+    """A URDF's text, rewritten so that this engine reads it rightly.
+
+    Raises UsageError for a key that no remedy is known for.
+    """
+    if key not in TARGETS:
+        raise UsageError(f"nothing needs to be rewritten for {key!r}; choose {', '.join(TARGETS)}")
+    parser = etree.XMLParser(resolve_entities=False, no_network=True)
+    root = etree.fromstring(urdf.encode(), parser)
+    for habit in habits_of(key):
+        if habit.rewrite is not None:
+            habit.rewrite(root)
+    etree.indent(root)
+    return written(root)
+
+
+def remedied(arm: SerialArm, key: str) -> SerialArm:
+    """The arm with its URDF rewritten for an engine; as it is where nothing needs rewriting."""
+    if arm.source.urdf is None or key not in TARGETS:
+        return arm
+    return replace(arm, source=replace(arm.source, urdf=remedied_text(arm.source.urdf, key)))
