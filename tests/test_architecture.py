@@ -30,6 +30,7 @@ MAY_IMPORT = {
     "diagnosis": {"arm", "dynamics", "comparison"},
     "worst_case": {"arm", "dynamics", "comparison", "engines", "errors"},
     "sweeping": {"arm", "sources", "dynamics", "comparison", "worst_case", "errors", "version"},
+    "parity": {"arm", "sources", "dynamics", "engines", "comparison", "worst_case", "errors"},
     "explanation": {
         "arm", "comparison", "plausibility", "identifiability", "digits", "diagnosis", "worst_case",
     },
@@ -40,11 +41,12 @@ MAY_IMPORT = {
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
     "reports": {
         "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
-        "worst_case", "sweeping", "explanation", "paper", "checks", "errors", "version",
+        "worst_case", "sweeping", "explanation", "paper", "checks", "engines", "parity",
+        "errors", "version",
     },
     "cli": {
         "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
-        "export", "figures", "sweeping",
+        "export", "figures", "sweeping", "parity",
         "reports", "errors", "version",
     },
 }  # fmt: skip

@@ -30,11 +30,13 @@ if TYPE_CHECKING:
     from .dynamics.newton_euler import rnea
     from .dynamics.regressor import torque_regressor
     from .explanation.explanation import explain
+    from .parity.comparison import compare_engines
     from .sources.loading import load
     from .sweeping.sweep import sweep
 
 _HOMES = {
     "SerialArm": ".arm.serial_arm",
+    "compare_engines": ".parity.comparison",
     "coriolis_matrix": ".dynamics.equations",
     "diff": ".comparison.difference",
     "explain": ".explanation.explanation",
@@ -54,6 +56,7 @@ _HOMES = {
 __all__ = [
     "SerialArm",
     "__version__",
+    "compare_engines",
     "coriolis_matrix",
     "diff",
     "explain",

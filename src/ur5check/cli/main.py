@@ -29,6 +29,7 @@ COMMANDS = {
     "diff": "what differs between two models, by how many newton metres, and why",
     "sweep": "the same at millions of states: how often, how much, where in the reach",
     "paper": "the paper's nine cases, and what came of each of its claims",
+    "engines": "do Pinocchio, MuJoCo, Drake, DART, … mean the same robot; who is here",
     "show": "a model as ur5check understands it",
     "expand": "a xacro as the URDF that it stands for",
     "export": "a package that hands an arm to Gazebo, torque-driven",

@@ -1,0 +1,43 @@
+"""What `engines` shows without a model: which referees are here, what installs the others."""
+
+from __future__ import annotations
+
+from ..engines.registry import REGISTRY, EngineEntry
+from .document import Column, Document, Row, Section, Table
+from .json_head import json_head
+from .json_values import Report, strict
+from .provenance import Provenance
+from .wording import MISSING
+
+__all__ = ["referees_document", "referees_json"]
+
+
+def referees_document(*, command: str = "") -> Document:
+    """The referees as a report."""
+    rows = [
+        Row((e.title, e.key, e.version or "not installed", MISSING if e.version else _install(e)))
+        for e in REGISTRY.values()
+    ]
+    columns = (Column("engine"), Column("--with"), Column("version"), Column("to install it"))
+    lines = ("`ur5check engines MODEL` asks whether they all mean the same robot.",)
+    section = Section("Engines", (), (Table(columns, tuple(rows)),))
+    return Document(
+        "Which referees are here", None, lines, (section,), Provenance((), command=command)
+    )
+
+
+def referees_json(*, command: str = "") -> Report:
+    """The referees as ur5check.referees/1."""
+    return strict(
+        {
+            **json_head("referees", (), command),
+            "engines": [
+                {"key": e.key, "title": e.title, "version": e.version, "install": _install(e)}
+                for e in REGISTRY.values()
+            ],
+        }
+    )
+
+
+def _install(entry: EngineEntry) -> str:
+    return f"pip install 'ur5check[{entry.extra}]'" if entry.extra else "comes with ur5check"
