@@ -29,6 +29,18 @@ EXPECTED = {
             "24 hidden directions; torque below 1e-9 N m: True",
         ),
     ),
+    "03-nine-cases": (
+        4,
+        (
+            "our recursion and Pinocchio agree on the appendix: True",
+            "claims on a shape: 6; all hold as printed: True",
+            "as printed, 74 % too large and turned round: True",
+            "eight arms of nonsense, all sines: True",
+            "with these mended, every case is Table 1's: True",
+            "pushed the wrong way: True",
+            "m((3r)² + l²)·0.08333",
+        ),
+    ),
 }
 
 
