@@ -29,6 +29,7 @@ MAY_IMPORT = {
     "digits": {"arm", "dynamics", "comparison"},
     "diagnosis": {"arm", "dynamics", "comparison"},
     "worst_case": {"arm", "dynamics", "comparison", "engines", "errors"},
+    "closed_form": {"arm", "dynamics", "errors", "version"},
     "sweeping": {"arm", "sources", "dynamics", "comparison", "worst_case", "errors", "version"},
     "parity": {"arm", "sources", "dynamics", "engines", "comparison", "worst_case", "errors"},
     "explanation": {
@@ -46,7 +47,7 @@ MAY_IMPORT = {
     },
     "cli": {
         "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
-        "export", "figures", "sweeping", "parity",
+        "export", "figures", "sweeping", "parity", "closed_form",
         "reports", "errors", "version",
     },
 }  # fmt: skip

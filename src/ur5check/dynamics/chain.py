@@ -21,7 +21,7 @@ import numpy as np
 
 from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array
-from .vectors import Matrix, Scalar, Vector
+from .vectors import ZERO, Matrix, Scalar, Vector
 
 __all__ = ["Chain", "LinkConstants", "Rotation", "chain_of"]
 
@@ -35,10 +35,11 @@ class LinkConstants:
     after: Matrix  # Cᵀ R(P_i)
     b: Vector  # joint axis in frame i
     r: Vector  # r_{i−1,i} at q_i = 0 [m]
-    c: Vector  # r_{i,ci} [m]
+    c: Vector  # r_{i,ci}, or to whatever point h and I are about [m]
     m: Scalar  # [kg]
     armature: Scalar  # of the joint's motor [kg m²]
-    I: Matrix  # about the centre of mass [kg m²]  # noqa: E741 - the field's own name
+    I: Matrix  # about c [kg m²]  # noqa: E741 - the field's own name
+    h: Vector = ZERO  # first moment about c: none where c is the centre of mass [kg m]
 
     def rotation(self, cos: Scalar, sin: Scalar) -> Rotation:
         """R_i, from the cosine and sine of q_i."""

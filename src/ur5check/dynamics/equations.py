@@ -28,6 +28,7 @@ __all__ = [
     "forward_dynamics",
     "gravity_torque",
     "kinetic_energy",
+    "mass_columns",
     "mass_matrix",
     "potential_energy",
 ]
@@ -42,7 +43,7 @@ def mass_matrix(arm: SerialArm, q: ArrayLike) -> NDArray[Any]:
     Raises StateError for a q that is not of shape (..., n) and finite.
     """
     chain = chain_of(arm)
-    return evaluate(arm, lambda state: _as_rows(_mass_columns(chain, state)), (arm.n, arm.n), q)
+    return evaluate(arm, lambda state: _as_rows(mass_columns(chain, state)), (arm.n, arm.n), q)
 
 
 def coriolis_matrix(arm: SerialArm, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
@@ -135,7 +136,8 @@ def potential_energy(
     return evaluate(arm, compute, (), q)
 
 
-def _mass_columns(chain: Chain, state: JointState) -> list[list[Scalar]]:
+def mass_columns(chain: Chain, state: JointState) -> list[list[Scalar]]:
+    """M of one block of states, column by column: the torques of each joint's unit acceleration."""
     n = len(chain.links)
     still = [0.0] * n
     units = ([1.0 if i == j else 0.0 for i in range(n)] for j in range(n))

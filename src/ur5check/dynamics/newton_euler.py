@@ -20,6 +20,12 @@ A motor's inertia, which the paper leaves out, adds armature_i · q̈_i to its o
 
 A sliding joint, which the paper has no use for, adds b_i q̈_i + 2 ω_i × b_i q̇_i to both
 accelerations in place of its share of (9) and (10), and feels b_i · f_i.
+
+Two liberties for `closed_form`, which cost nothing where they are not taken.  A link may be held
+about another point than its centre of mass: it then has a first moment h_i about that point, which
+adds α_i × h_i + ω_i × (ω_i × h_i) to f_i and h_i × (a_{c,i} − g_i) to τ_i.  And the base may
+accelerate: by `lift` = −g_0 instead of gravity, which no joint can tell apart (Luh, Walker & Paul
+1980).
 """
 
 from __future__ import annotations
@@ -53,11 +59,17 @@ class LinkMotion:
         """Of the body's point that lies `r` from origin i−1: eqs (11) and (12)."""
         return self.a + self.dw.cross(r) + self.w.cross(self.w.cross(r))
 
+    def turning(self, h: Vector) -> Vector:
+        """α_i × h + ω_i × (ω_i × h)."""
+        return self.dw.cross(h) + self.w.cross(self.w.cross(h))
 
-def outward(chain: Chain, state: JointState, gravity: Vector) -> list[LinkMotion]:
+
+def outward(
+    chain: Chain, state: JointState, gravity: Vector, lift: Vector = ZERO
+) -> list[LinkMotion]:
     """Eqs (9)–(13): the motion of every link, from base to tip."""
     motions: list[LinkMotion] = []
-    w, dw, a, g = ZERO, ZERO, ZERO, gravity
+    w, dw, a, g = ZERO, ZERO, lift, gravity
     for link, q, cos, sin, qd, qdd in zip(
         chain.links, state.q, state.cos, state.sin, state.qd, state.qdd, strict=True
     ):
@@ -81,22 +93,26 @@ def inward(motions: list[LinkMotion]) -> list[Scalar]:
     for motion in reversed(motions):
         link, w = motion.link, motion.w
         r_c = motion.r + link.c
-        f = f_next + (motion.acceleration_at(r_c) - motion.g) * link.m
+        a_c = motion.acceleration_at(r_c) - motion.g
+        f = f_next + a_c * link.m + motion.turning(link.h)
         tau = (
             tau_next
             - f.cross(r_c)
             + f_next.cross(link.c)
             + link.I @ motion.dw
             + w.cross(link.I @ w)
+            + link.h.cross(a_c)
         )
         torques.append(link.b.dot(f if link.prismatic else tau))
         f_next, tau_next = motion.R @ f, motion.R @ tau
     return torques[::-1]
 
 
-def joint_torques(chain: Chain, state: JointState, gravity: Vector) -> list[Scalar]:
+def joint_torques(
+    chain: Chain, state: JointState, gravity: Vector, lift: Vector = ZERO
+) -> list[Scalar]:
     """τ of one block of states: out along the arm and back, and what the motors themselves ask."""
-    torques = inward(outward(chain, state, gravity))
+    torques = inward(outward(chain, state, gravity, lift))
     return [
         plus(torque, times(link.armature, qdd))
         for torque, link, qdd in zip(torques, chain.links, state.qdd, strict=True)

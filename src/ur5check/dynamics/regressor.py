@@ -24,7 +24,7 @@ from .chain import Chain, chain_of
 from .newton_euler import LinkMotion, outward
 from .vectors import ZERO, Scalar, Vector
 
-__all__ = ["torque_regressor"]
+__all__ = ["regressor_rows", "torque_regressor"]
 
 _AXES = (Vector(1.0, 0.0, 0.0), Vector(0.0, 1.0, 0.0), Vector(0.0, 0.0, 1.0))
 _TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
@@ -48,12 +48,13 @@ def torque_regressor(
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
 
     def compute(state: JointState) -> list[Scalar]:
-        return _rows(chain, outward(chain, state, g_0))
+        return regressor_rows(chain, outward(chain, state, g_0))
 
     return evaluate(arm, compute, (arm.n, 10 * arm.n), q, qd, qdd)
 
 
-def _rows(chain: Chain, motions: list[LinkMotion]) -> list[Scalar]:
+def regressor_rows(chain: Chain, motions: list[LinkMotion]) -> list[Scalar]:
+    """Y of one block of states, row by row."""
     n = len(chain.links)
     Y = [[0.0] * (10 * n) for _ in range(n)]
     for i, motion in enumerate(motions):

@@ -1,0 +1,64 @@
+"""A program as Python source that needs NumPy and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .infix import description, right_hand_side
+from .program import Program
+
+__all__ = ["to_python"]
+
+_INDENT = "    "
+
+
+def to_python(program: Program, *, head: Sequence[str] = ()) -> str:
+    """A module with one function, named after the quantity: `tau(q, qd, qdd)`.
+
+    Joint arrays are (..., n); leading axes broadcast.  Parameters left as symbols become keyword
+    arguments whose defaults are the arm's own numbers.
+
+    head : lines for the top of the file, such as where it came from; they become comments
+    """
+    said = description(program)
+    keywords = [f"{name}={value!r}" for name, value in program.parameters.items()]
+    signature = ", ".join([*program.arguments, *(["*", *keywords] if keywords else [])])
+    leads = ", ".join(f"{name}.shape[:-1]" for name in program.arguments)
+    body = [
+        f'"""{said[0]}',
+        "",
+        *said[1:],
+        "",
+        f"{', '.join(program.arguments)} : array-like, shape (..., {program.n}); "
+        "[rad], [rad/s], [rad/s²], or [m] … where a joint slides.",
+        '"""',
+        *(f"{name} = np.asarray({name})" for name in program.arguments),
+        *(f"{name} = {_read(name)}" for name in program.inputs),
+        *(
+            f"{line.name} = {right_hand_side(line)}"
+            for line in (*program.setup, *program.assignments)
+        ),
+        "entries = (",
+        *(f"{_INDENT}{right_hand_side(line)}," for line in program.outputs),
+        ")",
+        f"lead = np.broadcast_shapes({leads})",
+        "result = np.stack([np.broadcast_to(entry, lead) for entry in entries], axis=-1)",
+        f"return result.reshape(lead + {program.shape!r})",
+    ]
+    lines = [
+        *(f"# {line}".rstrip() for line in head),
+        "import numpy as np",
+        "",
+        "",
+        f"def {program.quantity}({signature}):",
+        *((_INDENT + line).rstrip() for line in body),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _read(name: str) -> str:
+    """An input from the joint arrays: `c2` is np.cos(q[..., 1])."""
+    kind = name.rstrip("0123456789")
+    place = int(name.removeprefix(kind)) - 1
+    functions = {"c": "np.cos(q[..., {}])", "s": "np.sin(q[..., {}])"}
+    return functions.get(kind, kind + "[..., {}]").format(place)

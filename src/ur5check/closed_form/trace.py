@@ -1,0 +1,123 @@
+"""A quantity of an arm as a program: the recursion of `dynamics`, run once on symbols.
+
+    program = trace(load("paper"), "tau")
+    program.operations          # 319 or so
+    program.evaluate(q, qd, qdd)
+
+Three things keep the program short.  The scalars share and fold as the recursion goes (`graph`);
+numbers that no torque sees are chosen to vanish (`regroup`); and what is left is factored
+(`factoring`).  Gravity enters as an acceleration of the base, which spares a vector a link.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ..arm.serial_arm import SerialArm
+from ..dynamics.chain import Chain, chain_of
+from ..dynamics.vectors import Scalar, Vector
+from ..errors import UsageError
+from .assembly import assemble
+from .factoring import factored
+from .graph import Graph, Node
+from .program import Program
+from .quantities import QUANTITIES, Asked, Quantity, symbolic_state
+from .regroup import regroupings
+from .sums import Line, cost, lines_of
+from .symbols import Symbols
+
+__all__ = ["Parameters", "trace", "trace_difference"]
+
+Parameters = Literal["numeric", "symbolic"]
+
+_FINALISTS = 3  # regroupings that are factored before the best is chosen
+
+
+def trace(
+    arm: SerialArm,
+    quantity: Quantity = "tau",
+    *,
+    parameters: Parameters = "numeric",
+    regroup: bool = True,
+    tries: int = 300,
+) -> Program:
+    """The closed form of one quantity.
+
+    parameters : "numeric", the arm's numbers folded in, or "symbolic", left as inputs (`symbols`)
+    regroup : whether numbers that no torque sees may be chosen anew; the values stay the same to
+        rounding.  Symbols are left as they are, and a regressor has no inertias to regroup
+    tries : how many regroupings to look at; each costs some 5 ms for an arm of six joints
+
+    Raises UsageError for a quantity that there is none of.
+    """
+    if quantity not in QUANTITIES:
+        raise UsageError(f"no quantity {quantity!r}; choose one of {', '.join(QUANTITIES)}")
+    recipe = QUANTITIES[quantity]
+    graph = Graph()
+    symbols = Symbols(graph)
+    if parameters == "symbolic":
+        chain, gravity = symbols.chain(arm), symbols.gravity(arm)
+    else:
+        gravity = Vector.of(arm.gravity)
+        regroup = regroup and quantity != "regressor"
+        chain = _cheapest(arm, gravity, quantity, tries) if regroup else chain_of(arm)
+    return assemble(
+        graph,
+        _entries(graph, chain, gravity, quantity),
+        arm=arm.name,
+        n=arm.n,
+        quantity=quantity,
+        unit=recipe.unit,
+        shape=recipe.shape(arm.n),
+        parameters=symbols.values,
+    )
+
+
+def trace_difference(a: SerialArm, b: SerialArm) -> Program:
+    """τ_a − τ_b at the same q, q̇, q̈ as one program; what both need is worked out once.
+
+    The arms must be held in the same joint coordinates, as `comparison.pair` makes them.
+
+    Raises UsageError for arms of different length.
+    """
+    if a.n != b.n:
+        raise UsageError(f"arm {a.name!r} has {a.n} joints and {b.name!r} has {b.n}")
+    graph = Graph()
+    tau_a, tau_b = (_entries(graph, chain_of(arm), Vector.of(arm.gravity), "tau") for arm in (a, b))
+    return assemble(
+        graph,
+        [x - y for x, y in zip(tau_a, tau_b, strict=True)],
+        arm=f"{a.name} − {b.name}",
+        n=a.n,
+        quantity="difference",
+        unit="N m",
+        shape=(a.n,),
+        parameters={},
+    )
+
+
+def _entries(graph: Graph, chain: Chain, gravity: Vector, quantity: Quantity) -> list[Scalar]:
+    lift = (chain.base.T @ gravity) * -1.0
+    asked = Asked(chain, symbolic_state(graph, len(chain.links)), lift)
+    return QUANTITIES[quantity].entries(asked)
+
+
+def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int) -> Chain:
+    """The chain that leaves fewest operations.
+
+    Factoring takes thirty times as long as tracing, so the search goes by the operations before it,
+    and the last few finds are factored.  C's is guided by the velocity torque that it derives from.
+    """
+    guide: Quantity = "bias" if quantity == "C" else quantity
+
+    def lines(chain: Chain, quantity: Quantity) -> tuple[dict[Node, Line], Node]:
+        graph = Graph()
+        entries = _entries(graph, chain, gravity, quantity)
+        return lines_of(graph, entries), len(graph.nodes)
+
+    found = regroupings(arm, lambda chain: _total(lines(chain, guide)[0]), tries=tries)
+    return min(found[-_FINALISTS:], key=lambda chain: _total(factored(*lines(chain, quantity))))
+
+
+def _total(lines: dict[Node, Line]) -> int:
+    return sum(cost(line) for line in lines.values())

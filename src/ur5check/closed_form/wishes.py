@@ -1,0 +1,117 @@
+"""Inertial parameters that no torque can tell from the arm's own, with what we wish in them.
+
+Torque sees only the base parameters (`identifiability`); the rest may be chosen.  A wish says that
+a parameter be zero, or equal to another one.  Wishes are taken in order, as long as they are
+independent on the null space of the regressor Y: then as many hold as there are directions that no
+torque sees.  The parameters that remain follow from  Y E z = Y π,  π' = E z,  where E spells the
+wishes out: zeros are zeros exactly, and torques are kept to rounding.
+
+References: Khalil & Gautier (1990) for what may be chosen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..arm.inertia import PARAMETERS
+from ..arm.serial_arm import SerialArm
+from ..arm.states import random_states
+from ..arm.transforms import Array
+from ..dynamics.regressor import torque_regressor
+
+__all__ = ["Unseen", "Wish"]
+
+_EPS = float(np.finfo(np.float64).eps)
+
+#: Part of the largest singular value below which a direction is rounding: ε, summed over columns.
+_ROUNDING = _EPS
+
+#: A wish is independent of those before it if at least this much of it is new; less would amplify
+#: rounding by its inverse.
+_INDEPENDENT = 1e-3
+
+#: Torque that a parameter must make, of the whole, to be more than the rounding of a zero.
+_DUST = 64 * _EPS
+
+
+@dataclass(frozen=True)
+class Wish:
+    """That a link's parameter be zero, or equal to another of its parameters."""
+
+    link: int
+    parameter: str
+    equal_to: str | None = None
+
+    @property
+    def places(self) -> tuple[int, ...]:
+        """Where the parameters stand among all 10 n."""
+        names = (self.parameter,) if self.equal_to is None else (self.parameter, self.equal_to)
+        return tuple(10 * self.link + PARAMETERS.index(name) for name in names)
+
+
+@dataclass(frozen=True, eq=False)
+class Unseen:
+    """What may be chosen freely in an arm's inertial parameters.
+
+    arm : whose parameters π, shape (10 n,), are to be rewritten
+    seed : of the random states at which Y is asked; the answer does not depend on it
+    """
+
+    arm: SerialArm
+    seed: int = 0
+
+    @cached_property
+    def triangle(self) -> Array:
+        """R of Y = Q R over many states, shape (10 n, 10 n): ‖R π‖ is the size of the torques."""
+        n = self.arm.n
+        states = random_states(n, 40 + 40 * n, self.seed)
+        Y = torque_regressor(self.arm, states.q, states.qd, states.qdd)
+        return np.asarray(np.linalg.qr(Y.reshape(-1, 10 * n), mode="r"))
+
+    @cached_property
+    def null_space(self) -> Array:
+        """Directions that no torque sees, orthonormal, shape (10 n, k)."""
+        _, s, Vt = np.linalg.svd(self.triangle)
+        return np.asarray(Vt[s <= len(s) * _ROUNDING * s[0]].T)
+
+    def granted(self, wishes: Sequence[Wish]) -> list[Wish]:
+        """The first wishes that can all be granted, at most one a direction."""
+        granted: list[Wish] = []
+        spanned = np.zeros((0, self.null_space.shape[1]))
+        for wish in wishes:
+            if len(spanned) == spanned.shape[1]:
+                break
+            first, *second = (self.null_space[place] for place in wish.places)
+            row = first - second[0] if second else first
+            for _ in range(2):  # twice is enough (Kahan, Parlett) to stay orthogonal to rounding
+                row = row - (spanned @ row) @ spanned
+            size = float(np.linalg.norm(row))
+            if size > _INDEPENDENT:
+                spanned = np.vstack([spanned, row / size])
+                granted.append(wish)
+        return granted
+
+    def parameters(self, wishes: Sequence[Wish]) -> Array:
+        """π', shape (10 n,): the same torques, and the wishes that can be granted."""
+        pi = self.arm.parameters()
+        E = _spelled_out(self.granted(wishes), len(pi))
+        torque, columns = self.triangle @ pi, self.triangle @ E
+        z = np.linalg.lstsq(columns, torque, rcond=None)[0]
+        z[np.abs(z) * np.linalg.norm(columns, axis=0) < _DUST * np.linalg.norm(torque)] = 0.0
+        return np.asarray(E @ z)
+
+
+def _spelled_out(wishes: Sequence[Wish], count: int) -> Array:
+    """E, shape (count, remaining): a column for each parameter, or each group of equal ones."""
+    group = list(range(count))
+    for wish in wishes:
+        if wish.equal_to is not None:
+            one, other = (group[place] for place in wish.places)
+            group = [one if member == other else member for member in group]
+    zero = {group[wish.places[0]] for wish in wishes if wish.equal_to is None}
+    kept = sorted(set(group) - zero)
+    return np.array([[float(member == column) for column in kept] for member in group])
