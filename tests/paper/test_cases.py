@@ -104,7 +104,7 @@ def test_why_there_is_nothing_to_hold(evidence: Evidence) -> None:
         return nothing_to_hold(run.model.arm, run.q, run.case.watched)
 
     upright = "gravity lies along the axis"
-    balanced = "the centre of mass of what it carries lies on its axis"
+    balanced = "the centre of mass of all that joint 5 carries lies on its axis"
     assert why(4, "paper") == why(8, "paper") == why(8, "erd-ur5") == upright
     assert why(7, "erd-ur5") == balanced
     assert [why(number, "paper") for number in (1, 2, 3, 5, 6, 7)] == [""] * 6

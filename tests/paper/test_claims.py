@@ -201,6 +201,12 @@ def test_without_a_repair_what_fails_is_refuted() -> None:
     assert overall(judged(claim, others)) == "refuted"
 
 
+def test_a_claim_that_is_put_to_nothing_printed_is_no_claim() -> None:
+    claim = Claim("id", "text", "test", "source", "1")
+    with pytest.raises(ValueError, match="'id' is put to nothing that the paper printed"):
+        judged(claim, [trial("repaired", holds=True)])
+
+
 def run_of(run: Run, arm: SerialArm) -> Run:
     """The same case of another arm, by our recursion."""
     from ur5check.dynamics.equations import gravity_torque

@@ -97,8 +97,12 @@ def judged(claim: Claim, trials: Iterable[Trial]) -> tuple[ClaimOutcome, ...]:
 
     What is repaired is confirmed "after repair" where what is printed fails; everything else simply
     holds or does not.
+
+    Raises ValueError without a trial of what is printed: the claim would be judged by hearsay.
     """
     trials = tuple(trials)
+    if not any(trial.form == "printed" for trial in trials):
+        raise ValueError(f"claim {claim.id!r} is put to nothing that the paper printed")
     printed_fails = any(t.form == "printed" and not t.holds for t in trials)
     return tuple(
         ClaimOutcome(
@@ -115,9 +119,8 @@ def overall(outcomes: Iterable[ClaimOutcome]) -> Verdict:
     outcomes : of one claim
     """
     outcomes = tuple(outcomes)
-    printed = [o.holds for o in outcomes if o.form == "printed"]
     repaired = [o.holds for o in outcomes if o.form == "repaired"]
-    if printed and all(printed):
+    if all(o.holds for o in outcomes if o.form == "printed"):
         return "confirmed"
     return "confirmed after repair" if repaired and all(repaired) else "refuted"
 

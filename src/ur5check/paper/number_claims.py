@@ -125,17 +125,14 @@ def direction_trial(arm: SerialArm, name: str, form: Form) -> Trial:
 
 def _appendix_trial(arm: SerialArm, cylinders: tuple[CutTwelfth, ...]) -> Trial:
     """The appendix computes its tensors: eq. 3 with a constant of so many digits."""
-    error, honest = 0.0, 1.0
+    pairs = []
     for c in cylinders:
         body = arm.links[c.link - 1].inertia
         across = (np.trace(body.tensor) - c.axis @ body.tensor @ c.axis) / 2.0
-        should_be = EQ_3.across(body.mass, c.radius, c.length)
-        # The error grows with the moment, and so does its limit: the worst is so relatively.
-        error, honest = max(
-            (error, honest),
-            (abs(float(across) - should_be), should_be),
-            key=lambda pair: pair[0] / pair[1],
-        )
+        honest = EQ_3.across(body.mass, c.radius, c.length)
+        pairs.append((abs(float(across) - honest), honest))
+    # The error grows with the moment, and so does its limit: the worst is so relatively.
+    error, honest = max(pairs, key=lambda pair: pair[0] / pair[1])
     constant = cylinders[0].constant
     half_unit = 0.5 * 10.0 ** -len(constant.partition(".")[2]) * 12.0
     return Trial(

@@ -63,7 +63,9 @@ def nothing_to_hold(arm: SerialArm, q: Array, joint: int) -> str:
     centres = _centres(arm, q)[:, joint - 1 :]
     centre = (centres * masses[:, None]).sum(axis=1) / masses.sum()
     lever = np.linalg.norm(np.cross(centre - points[:, joint - 1], axis), axis=-1).max()
-    return "the centre of mass of what it carries lies on its axis" * bool(lever <= _ANGLE_DIGITS)
+    if lever <= _ANGLE_DIGITS:
+        return f"the centre of mass of all that joint {joint} carries lies on its axis"
+    return ""
 
 
 def _centres(arm: SerialArm, q: Array) -> Array:
