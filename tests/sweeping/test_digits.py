@@ -171,9 +171,10 @@ def test_an_error_in_a_block_ends_the_sweep(whole, count):
 
     class Broken:
         tally = staticmethod(broken)
+        blocks = 2
 
     with pytest.raises(PulledPlugError):
-        list(threads(count)(Broken, [(0, 1), (1, 2)]))
+        list(threads(count)(Broken, 0))
 
 
 def test_digits_would_show_a_lost_block(whole):

@@ -21,33 +21,37 @@ import numpy as np
 
 from ..errors import UsageError
 from ..version import __version__
-from .crew import Crew, Span, in_order
+from .crew import Crew, Span, fair, in_order, spans
 from .plan import Plan
 from .tally import Tally, merged
 
 __all__ = ["cluster"]
 
+_MOST = 1024  # blocks a task: seconds, which outlast a task's scheduling (milliseconds) by far
 _BOUGH = 8  # spans that are merged before they travel
 _AHEAD = 2  # tasks under way for each thread of the workers
 _PATIENCE = 10.0  # [s] for the scheduler to answer
 
 
-def cluster(address: str) -> Crew:
-    """The workers of the scheduler at `address` ("tcp://192.0.2.7:8786").
+def cluster(address: str, batch: int | None = None) -> Crew:
+    """The workers of the scheduler at `address` ("tcp://192.0.2.7:8786"), `batch` blocks a task.
 
     Raises UsageError, once at work, where no scheduler answers, or its workers are others than this
     process: not the same versions, or not the same engine.
     """
 
-    def work(plan: Plan, todo: Iterable[Span]) -> Generator[Tally]:
+    def work(plan: Plan, start: int) -> Generator[Tally]:
         payload, made_by = pickle.dumps(plan), _versions(plan)
         with _client(address) as client:
 
-            def bough(spans: tuple[Span, ...]) -> Any:
-                tasks = [client.submit(_task, payload, made_by, span, pure=False) for span in spans]
+            def bough(group: tuple[Span, ...]) -> Any:
+                tasks = [client.submit(_task, payload, made_by, span, pure=False) for span in group]
                 return client.submit(merged, tasks, pure=False)
 
-            ahead = 2 + _AHEAD * sum(client.nthreads().values()) // _BOUGH
+            workers = sum(client.nthreads().values())
+            blocks = plan.blocks - start
+            todo = spans(start, plan.blocks, batch or fair(blocks, workers, _MOST))
+            ahead = 2 + _AHEAD * workers // _BOUGH
             yield from in_order(_boughs(todo), bough, _got, ahead)
 
     return work

@@ -1,7 +1,8 @@
 """Who does the work: threads of this process.  (`cluster` has another crew, with the same face.)
 
-A crew takes spans of blocks and hands back their tallies in the spans' order, so that whoever
-listens can say at any moment: all blocks before this one are done.
+A crew takes the blocks from a given one on, a span of them at a time, and hands back the spans'
+tallies in order, so that whoever listens can say at any moment: all blocks before this one are
+done.
 """
 
 from __future__ import annotations
@@ -14,10 +15,14 @@ from typing import TypeVar
 from .plan import Plan
 from .tally import Tally
 
-__all__ = ["Crew", "Span", "in_order", "spans", "threads"]
+__all__ = ["Crew", "Span", "fair", "in_order", "spans", "threads"]
 
 Span = tuple[int, int]  # blocks start … stop − 1
-Crew = Callable[[Plan, Iterable[Span]], Generator[Tally]]
+Crew = Callable[[Plan, int], Generator[Tally]]  # of a plan, from this block on
+
+#: A quarter of a million states, a fraction of a second: Ctrl-C and progress need no more patience.
+_MOST = 16
+_SHARES = 8  # spans for each thread, so that none waits long for the last
 
 J = TypeVar("J")
 T = TypeVar("T")
@@ -30,10 +35,17 @@ def spans(start: int, stop: int, batch: int) -> Iterator[Span]:
         yield first, min(first + batch, stop)
 
 
-def threads(count: int) -> Crew:
-    """`count` threads of this process."""
+def fair(blocks: int, workers: int, most: int) -> int:
+    """A batch that gives every worker several, and is no larger than `most`."""
+    return min(max(blocks // (_SHARES * workers), 1), most)
 
-    def work(plan: Plan, todo: Iterable[Span]) -> Generator[Tally]:
+
+def threads(count: int, batch: int | None = None) -> Crew:
+    """`count` threads of this process, which take `batch` blocks at a time."""
+
+    def work(plan: Plan, start: int) -> Generator[Tally]:
+        blocks = plan.blocks - start
+        todo = spans(start, plan.blocks, batch or fair(blocks, count, _MOST))
         if count == 1:
             yield from (plan.tally(*span) for span in todo)
             return

@@ -40,9 +40,7 @@ RELATIVE_ERROR = 2.0 ** -(_MANTISSA + 1)
 def count_sizes(sizes: Array) -> Counts:
     """Histograms of n rows of sizes, shape (n, N), none negative: counts of shape (n, BINS)."""
     n = len(sizes)
-    clipped = np.minimum(sizes, _HIGHEST)
-    np.maximum(clipped, _BELOW, out=clipped)
-    bins = clipped.view(np.int64)
+    bins = np.clip(sizes, _BELOW, _HIGHEST).view(np.int64)
     bins >>= _SHIFT
     # Each row gets bins of its own, so that one count serves all.
     bins += (np.arange(n) * BINS - _FIRST)[:, None]

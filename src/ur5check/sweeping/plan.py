@@ -8,9 +8,10 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..arm.serial_arm import SerialArm, Source
+from ..arm.states import States
 from ..arm.transforms import Array
 from ..comparison.pair import Pair
 from ..errors import UsageError
@@ -63,10 +64,14 @@ class Plan:
             states,
             BLOCK * k,
             over=self.over,
-            cell=self.grid.cell(tool_position(self.a, states.q[:: self.map_every])),
+            cell=self.cells_of(states),
             cells=self.grid.cells,
             every=self.map_every,
         )
+
+    def cells_of(self, states: States) -> NDArray[np.intp]:
+        """Where the tool is, for those states that the map sees."""
+        return self.grid.cell(tool_position(self.a, states.q[:: self.map_every]))
 
     def description(self) -> dict[str, Any]:
         """The same as plain values, by what a user would call them."""

@@ -26,7 +26,7 @@ from ..errors import UsageError
 from ..sources.loading import ArmSource, load
 from ..worst_case.state_box import StateBox, state_box
 from .checkpoint import load as load_checkpoint
-from .crew import Crew, spans
+from .crew import Crew
 from .crew import threads as threads_crew
 from .journal import Journal
 from .logs import is_log, log_sample
@@ -41,8 +41,6 @@ __all__ = ["SampleKind", "run", "sweep"]
 SampleKind = Literal["random", "sobol", "grid"]
 
 _STATES = 1_000_000
-_BATCH = 16  # blocks: a quarter of a million states, a fraction of a second
-_CLUSTER_BATCH = 256  # four million states: a task should outlast its own scheduling by far
 
 
 def sweep(
@@ -76,7 +74,7 @@ def sweep(
     over : a torque, or one a joint, shape (n,) [N m]: the share of the states that exceed it
     gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
     threads : of this process, where there is no scheduler
-    batch : blocks of 16,384 states that a thread or a worker takes at a time
+    batch : blocks of 16,384 states that a thread or a worker takes at a time; chosen when None
     scheduler : address of a Dask scheduler ("tcp://…:8786"), whose workers then do the work
     checkpoint : a file to keep what is done in, and to go on from if it is there
     checkpoint_every : seconds between two writings of it
@@ -98,8 +96,7 @@ def sweep(
         plan,
         run(
             plan,
-            _crew(threads, scheduler),
-            batch or (_BATCH if scheduler is None else _CLUSTER_BATCH),
+            _crew(threads, scheduler, batch),
             None if checkpoint is None else Path(checkpoint),
             checkpoint_every,
             progress or (lambda line: None),
@@ -111,7 +108,6 @@ def sweep(
 def run(
     plan: Plan,
     crew: Crew,
-    batch: int,
     checkpoint: Path | None,
     checkpoint_every: float,
     progress: Callable[[str], None],
@@ -120,18 +116,18 @@ def run(
     done = None if checkpoint is None else load_checkpoint(checkpoint, plan)
     journal = Journal(plan, checkpoint, checkpoint_every, done, progress)
     # Closed before the journal is, so that no thread works on while it saves.
-    with journal, closing(crew(plan, spans(journal.blocks, plan.blocks, batch))) as tallies:
+    with journal, closing(crew(plan, journal.blocks)) as tallies:
         for tally in tallies:
             journal.add(tally)
     return journal.tally
 
 
-def _crew(count: int, scheduler: str | None) -> Crew:
+def _crew(count: int, scheduler: str | None, batch: int | None) -> Crew:
     if scheduler is None:
-        return threads_crew(count)
+        return threads_crew(count, batch)
     from .cluster import cluster
 
-    return cluster(scheduler)
+    return cluster(scheduler, batch)
 
 
 def _sample(

@@ -1,0 +1,82 @@
+"""What a state of a sweep costs, part by part: CPU time of one thread.
+
+    python benchmarks/bench_sweep.py [--blocks N] [--repeats N]
+
+Prints a Markdown table; docs/sweep.md holds one.  A part's time is the least of its repeats: what
+else the machine does can only add to it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import ur5check
+from ur5check.sweeping.plan import Plan
+from ur5check.sweeping.sample import BLOCK, RandomSample
+from ur5check.sweeping.sobol_sample import SobolSample
+from ur5check.sweeping.tally import tally_of
+from ur5check.sweeping.torques import torque_difference
+
+_MANY = 10**9  # states that the sweep is thought to have
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--blocks", type=int, default=5, metavar="N", help="blocks a run")
+    parser.add_argument("--repeats", type=int, default=9, metavar="N", help="runs")
+    options = parser.parse_args(arguments)
+    parts = measure(options.blocks, options.repeats)
+    total = sum(seconds for name, seconds in parts.items() if not name.startswith("("))
+    print("| a state's | ns | share |\n|---|---:|---:|")
+    for name, seconds in parts.items():
+        share = "" if name.startswith("(") else f"{seconds / total:.1%}"
+        print(f"| {name} | {1e9 * seconds:.3g} | {share} |")
+    print(f"| **all** | {1e9 * total:.4g} | {1e-6 / total:.2f} million states a second |")
+    return 0
+
+
+def measure(blocks: int, repeats: int) -> dict[str, float]:
+    """Seconds a state, of each part of the way of one block."""
+    plan = ur5check.sweep("paper", "appendix", states=100, over=1.0).plan
+    plan = replace(plan, sample=RandomSample(plan.sample.box, _MANY, 0), map_every=16)
+    sobol = SobolSample(plan.sample.box, _MANY, 0)
+    sobol.block(0)  # its direction numbers are made once
+    difference = torque_difference(plan.a, plan.b)
+    states = plan.sample.block(0)
+    delta = difference.of(states.q, states.qd, states.qdd)
+    cell = plan.cells_of(states)
+    parts: dict[str, Callable[[int], object]] = {
+        "numbers (Philox)": plan.sample.block,
+        f"torques of both arms ({difference.engine})": lambda k: difference.of(
+            states.q, states.qd, states.qdd
+        ),
+        "tool position, every 16th": lambda k: plan.cells_of(states),
+        "tally": lambda k: _tally(plan, delta, states, cell),
+        "(numbers, Sobol)": sobol.block,
+    }
+    return {name: _least(part, blocks, repeats) / BLOCK for name, part in parts.items()}
+
+
+def _tally(plan: Plan, delta, states, cell):
+    return tally_of(
+        delta, states, 0, over=plan.over, cell=cell, cells=plan.grid.cells, every=plan.map_every
+    )
+
+
+def _least(part: Callable[[int], object], blocks: int, repeats: int) -> float:
+    """CPU seconds a block."""
+    times = []
+    for _ in range(repeats):
+        began = time.thread_time()
+        for k in range(blocks):
+            part(k)
+        times.append((time.thread_time() - began) / blocks)
+    return min(times)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
