@@ -52,6 +52,8 @@ def test_commands_run(
         _, *arguments = shlex.split(command)
         assert main(arguments) == 0, capsys.readouterr().err
     assert (tmp_path / "paper.md").read_text("utf-8").startswith("# The paper, claim by claim")
+    linked = re.findall(r"!\[Case \d\. .*?\]\((.*?)\)", (tmp_path / "paper.md").read_text("utf-8"))
+    assert linked == [f"figures/paper-case-{k}.svg" for k in range(1, 10)]
     names = [f"paper-case-{k}" for k in range(1, 10)] + ["paper-all-cases"]
     expected = {f"{name}.{kind}" for name in names for kind in ("svg", "png")}
     assert {path.name for path in (tmp_path / "figures").iterdir()} == expected

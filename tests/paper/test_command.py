@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +41,22 @@ def test_formats(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert main(["paper", "--quiet", "-o", str(target)]) == 0
     assert target.read_text("utf-8").startswith("# The paper, claim by claim\n")
     assert "Every claim, model by model" in target.read_text("utf-8")
+
+
+@pytest.mark.usefixtures("at_hand")
+def test_a_report_finds_its_pictures_from_where_it_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "reports").mkdir()
+    (tmp_path / "pictures").mkdir()
+    (tmp_path / "pictures" / "mine.txt").write_text("mine", "utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert main(["paper", "--quiet", "--figures", "pictures", "-o", "reports/paper.md"]) == 0
+    text = Path("reports", "paper.md").read_text("utf-8")
+    links = re.findall(r"!\[.*?\]\((.*?)\)", text)
+    assert len(links) == 9
+    assert all(Path("reports", link).is_file() for link in links)
+    assert Path("pictures", "mine.txt").read_text("utf-8") == "mine"
 
 
 @pytest.mark.parametrize(

@@ -106,3 +106,11 @@ def test_a_tensor_without_a_formula_is_shown_without(
     text = render_text(paper_document(replace(reproduction, formulas=(bare, *others))))
     (row,) = (line for line in text.splitlines() if line.startswith("1     0.016926823"))
     assert {"radius": "  –  ", "formula": "none known"}[missing] in row
+
+
+def test_pictures_are_linked_with_what_there_is_to_see(reproduction: Reproduction) -> None:
+    document = paper_document(reproduction, pictures={2: "my figures/case 2.svg"})
+    says = "Case 2. Not as expected; as printed 74 % too large, the wrong way round"
+    assert f"\n\n![{says}](my%20figures/case%202.svg)\n" in render_markdown(document)
+    assert f"picture: my figures/case 2.svg: {says}" in render_text(document).replace("\n", " ")
+    assert "picture: " not in render_text(paper_document(reproduction))

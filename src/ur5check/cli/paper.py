@@ -8,11 +8,11 @@ Pinocchio do not agree on the appendix, so that nothing can be believed.
 from __future__ import annotations
 
 import argparse
-import shlex
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .options import add_output_options, progress
+from .options import add_output_options, command_line, progress
 from .output import check_folder, check_output, emit, emit_files, format_of, rendered
 
 if TYPE_CHECKING:
@@ -48,12 +48,17 @@ def run(args: argparse.Namespace) -> int:
         _check_figures(args.figures)
     r = reproduce(lambda line: progress(args.quiet, line))
     pictures = {} if args.figures is None else _pictures(r, quiet=args.quiet)
-    command = shlex.join(["ur5check", "paper"])
+    command = command_line("paper", args, ())
     form = format_of(args.format, args.output)
     text = rendered(
         form,
         args.output,
-        document=lambda: paper_document(r, written_out=form == "markdown", command=command),
+        document=lambda: paper_document(
+            r,
+            pictures=_places(args.figures, args.output),
+            written_out=form == "markdown",
+            command=command,
+        ),
         report=lambda: paper_json(r, command=command),
     )
     if args.figures is not None:
@@ -61,6 +66,19 @@ def run(args: argparse.Namespace) -> int:
         progress(args.quiet, f"drew {len(pictures)} pictures in {args.figures}")
     emit(text, args.output)
     return 0 if r.trustworthy else 1
+
+
+def _places(folder: str | None, output: str | None) -> dict[int, str]:
+    """Where the report finds each case's picture: beside itself, or from here on stdout."""
+    if folder is None:
+        return {}
+    home = Path.cwd() if output is None else Path(output).resolve().parent
+    there = Path(os.path.relpath(Path(folder).resolve(), home)).as_posix()
+    return {k: f"{there}/{_name(k)}.svg" for k in range(1, 10)}
+
+
+def _name(case: int) -> str:
+    return f"paper-case-{case}"
 
 
 def _inputs() -> list[Path]:
@@ -83,7 +101,7 @@ def _pictures(r: Reproduction, *, quiet: bool) -> dict[str, bytes]:
     from ..figures.overview import draw_overview
 
     progress(quiet, "drawing")
-    drawn = {f"paper-case-{k}": draw_case(r, k) for k in range(1, 10)}
+    drawn = {_name(k): draw_case(r, k) for k in range(1, 10)}
     drawn["paper-all-cases"] = draw_overview(r)
     pictures = {f"{name}.svg": as_svg(figure) for name, figure in drawn.items()}
     return pictures | {f"{name}.png": as_png(figure) for name, figure in drawn.items()}

@@ -2,7 +2,8 @@
 
     Document ── verdict, what stands out
              ├─ Section ── lines
-             │          └─ Table ── columns, rows of text
+             │          ├─ Table ── columns, rows of text
+             │          └─ Picture ── a file that was drawn beside the report
              └─ Provenance
 
 A renderer (`terminal`, `markdown`) shows any Document; what is in one is decided in
@@ -15,7 +16,7 @@ from dataclasses import dataclass
 
 from .provenance import Provenance
 
-__all__ = ["Column", "Document", "Row", "Section", "Table", "Verdict"]
+__all__ = ["Column", "Document", "Picture", "Row", "Section", "Table", "Verdict"]
 
 
 @dataclass(frozen=True)
@@ -57,12 +58,24 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Picture:
+    """A drawn file.
+
+    path : as seen from where the report is;  says : what there is to see in it
+    """
+
+    path: str
+    says: str
+
+
+@dataclass(frozen=True)
 class Section:
     """A heading with what belongs under it."""
 
     title: str
     lines: tuple[str, ...] = ()
     tables: tuple[Table, ...] = ()
+    pictures: tuple[Picture, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from urllib.parse import quote
 
 from .document import Document, Row, Section, Table
 from .provenance import Provenance
@@ -31,6 +32,7 @@ def _section(section: Section) -> list[str]:
         blocks.append(_table(table))
         if table.note:
             blocks.append(_escaped(table.note))
+    blocks += [f"![{_escaped(p.says)}]({quote(p.path)})" for p in section.pictures]
     return blocks
 
 

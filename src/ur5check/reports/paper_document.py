@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ..paper.reproduction import Reproduction
 from ..paper.story import summary, tell
 from .document import Document, Verdict
@@ -14,9 +16,16 @@ from .wording import residue
 __all__ = ["paper_document"]
 
 
-def paper_document(r: Reproduction, *, written_out: bool = False, command: str = "") -> Document:
+def paper_document(
+    r: Reproduction,
+    *,
+    pictures: Mapping[int, str] | None = None,
+    written_out: bool = False,
+    command: str = "",
+) -> Document:
     """The report of `ur5check paper`.
 
+    pictures : of each case, where its picture is, as seen from the report
     written_out : whether every claim is shown for every model, with how it was tested
     """
     return Document(
@@ -25,7 +34,7 @@ def paper_document(r: Reproduction, *, written_out: bool = False, command: str =
         tuple(tell(r)),
         (
             claims_section(r, written_out=written_out),
-            cases_section(r),
+            cases_section(r, pictures or {}),
             slips_section(r),
             formulas_section(r),
         ),

@@ -86,6 +86,10 @@ def _section(console: Console, section: Section) -> None:
         console.width = given
         if table.note:
             _say(console, table.note, style="dim")
+    if section.pictures:
+        console.print()
+    for picture in section.pictures:
+        _say(console, f"picture: {picture.path}: {picture.says}", style="dim")
 
 
 def _table(table: Table) -> RichTable:

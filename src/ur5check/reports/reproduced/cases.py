@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from ...paper.cases import CASES
 from ...paper.harmonic import Harmonic
 from ...paper.reproduction import Reproduction
 from ...paper.runs import Run
-from ..document import Column, Row, Section, Table
+from ...paper.story import headline
+from ..document import Column, Picture, Row, Section, Table
 from ..wording import MISSING, figures, residue
 
 __all__ = ["cases_section", "slips_section"]
 
 
-def cases_section(r: Reproduction) -> Section:
-    """Every curve as a sine, and the six torques of case 9."""
-    return Section("The nine cases", tables=(_curves(r), _posture(r)))
+def cases_section(r: Reproduction, pictures: Mapping[int, str]) -> Section:
+    """Every curve as a sine, and the six torques of case 9.
+
+    pictures : of each case, where its picture is, if one was drawn
+    """
+    drawn = (
+        Picture(path, f"Case {number}. {headline(r, number)}") for number, path in pictures.items()
+    )
+    return Section("The nine cases", (), (_curves(r), _posture(r)), tuple(drawn))
 
 
 def slips_section(r: Reproduction) -> Section:
