@@ -20,6 +20,7 @@ MAY_IMPORT = {
     "arm": {"errors"},
     "strategies": {"arm"},
     "export": {"arm", "errors", "version"},
+    "handover": {"arm", "sources", "dynamics", "export", "errors", "version"},
     "sources": {"arm", "errors"},
     "dynamics": {"arm", "errors"},
     "engines": {"arm", "dynamics", "errors", "version"},
@@ -47,7 +48,7 @@ MAY_IMPORT = {
     },
     "cli": {
         "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
-        "export", "figures", "sweeping", "parity", "closed_form",
+        "export", "figures", "handover", "sweeping", "parity", "closed_form",
         "reports", "errors", "version",
     },
 }  # fmt: skip

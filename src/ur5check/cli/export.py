@@ -10,6 +10,7 @@ from ..errors import UsageError
 from .options import MODELS, ModelOptions, add_model_options, progress
 
 if TYPE_CHECKING:
+    from ..arm.transforms import Array
     from ..handover.package import GazeboHandover, Ros
 
 __all__ = ["EXAMPLES", "add_options", "run"]
@@ -21,9 +22,6 @@ examples:
 
 {MODELS}
 """
-
-#: Case 9 of the paper [rad]: the posture whose torque it sends to Gazebo.
-_CASE_9 = (0.0, 0.9, -1.0, 1.0, 3.5, -1.9)
 
 _ROS: dict[str, tuple[Ros, ...]] = {"1": ("1",), "2": ("2",), "both": ("1", "2")}
 
@@ -50,6 +48,7 @@ def run(args: argparse.Namespace) -> int:
     """Write the packages; say where they are and what torque they publish."""
     from ..handover.folder import check_folder, write_folder
     from ..handover.package import gazebo_handover
+    from ..paper.cases import case
     from ..sources.catalog import CATALOG
     from ..sources.packages import default_packages
     from .output import emit
@@ -57,14 +56,12 @@ def run(args: argparse.Namespace) -> int:
     check_folder(args.folder)
     options = ModelOptions.of(args, (args.model,))
     (arm,) = options.load(quiet=args.quiet)
-    if args.pose is None and arm.n != len(_CASE_9):
-        raise UsageError(
-            f"{args.model} has {arm.n} joints, the paper's case 9 has 6; give --pose Q1 … Q{arm.n}"
-        )
+    if args.pose is None:
+        args.pose = _case_9(case(9).joint_angles(), args.model, arm.n)
     entry = CATALOG.get(args.model)
     handover = gazebo_handover(
         arm,
-        _CASE_9 if args.pose is None else args.pose,
+        args.pose,
         ros=_ROS[args.ros],
         packages=default_packages().with_packages(options.packages),
         file=str(entry.path()) if entry else args.model,
@@ -78,14 +75,26 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
+def _case_9(angles: Array, model: str, n: int) -> list[float]:
+    """The posture whose torque the paper sends to Gazebo; only an arm of six joints can take it."""
+    if n != angles.size:
+        raise UsageError(
+            f"{model} has {n} joints, the paper's case 9 has {angles.size}; give --pose Q1 … Q{n}"
+        )
+    return [float(q) for q in angles.ravel()]
+
+
 def _said(folder: str, names: tuple[str, ...], handover: GazeboHandover) -> str:
     """What a reader needs next: which file to open, and what to expect."""
     width = max(map(len, names))
     lines = [f"{folder}: {len(handover.files)} files; {folder}/README.md says how to run them"]
-    lines += [f"{'joint':{width}}  {'start':>9}  {'torque':>9}", f"{'':{width}}  {'rad, m':>9}  N m, N"]
     lines += [
-        f"{name:{width}}  {q:9.4f}  {tau:9.4f}"
-        for name, q, tau in zip(names, handover.start, handover.tau, strict=True)
+        f"{'joint':{width}}  {'start':>9}  {'torque':>9}",
+        f"{'':{width}}  {'rad, m':>9}  N m, N",
+    ]
+    lines += [
+        f"{name:{width}}  {q:9.4f}  {round(tau, 4) + 0.0:9.4f}"
+        for name, q, tau in zip(names, handover.start, map(float, handover.tau), strict=True)
     ]
     return "\n".join([*lines, ""])
 
@@ -93,7 +102,7 @@ def _said(folder: str, names: tuple[str, ...], handover: GazeboHandover) -> str:
 def _command(args: argparse.Namespace) -> str:
     """The command that writes these files again."""
     words = ["ur5check", "export", args.to, args.folder, "--model", args.model, "--ros", args.ros]
-    words += [] if args.pose is None else ["--pose", *map(repr, args.pose)]
+    words += ["--pose", *map(repr, args.pose)]
     for option in ("base", "tip"):
         value = getattr(args, option)
         words += [] if value is None else [f"--{option}", value]

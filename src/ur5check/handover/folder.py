@@ -23,7 +23,9 @@ def check_folder(folder: str) -> None:
     if target.exists() and not target.is_dir():
         raise UsageError(f"{folder}: is a file; name a folder that is not there yet")
     if target.is_dir() and any(target.iterdir()):
-        raise UsageError(f"{folder}: is not empty; name a folder that is not there yet, or clear it")
+        raise UsageError(
+            f"{folder}: is not empty; name a folder that is not there yet, or clear it"
+        )
     if not target.absolute().parent.is_dir():
         raise UsageError(f"{folder}: there is no folder {str(target.parent)!r}; make it first")
 

@@ -19,7 +19,6 @@ from functools import reduce
 from operator import matmul
 from pathlib import Path
 
-import numpy as np
 from lxml import etree
 
 from ..arm import SerialArm, Transform
@@ -154,7 +153,9 @@ def _limit(root: Element, chain: Chain) -> None:
             continue
         limit = joint.find("limit")
         if limit is None:
-            limit = etree.SubElement(joint, "limit", effort=exact(NO_LIMIT), velocity=exact(NO_LIMIT))
+            limit = etree.SubElement(
+                joint, "limit", effort=exact(NO_LIMIT), velocity=exact(NO_LIMIT)
+            )
         joint.set("type", "revolute")
         if kind == "continuous":
             lower, upper = -HALF_TURN, HALF_TURN
@@ -167,7 +168,8 @@ def _limit(root: Element, chain: Chain) -> None:
 def _held_way(robot: Robot, chain: Chain) -> Transform:
     """T_world_base, all joints outside the arm held still."""
     moving = frozenset(edge.joint for edge in chain.moving)
-    poses, link = [], chain.base
+    poses: list[Transform] = []
+    link = chain.base
     while link in robot.tree.above:
         edge = robot.tree.above[link]
         poses.insert(0, robot.held_pose(edge, moving))

@@ -17,6 +17,8 @@ __all__ = ["NAMESPACE", "joint_blanks", "yaml_list"]
 #: Of everything that belongs to the arm, in the paper's launch file.
 NAMESPACE = "ur"
 
+_FORWARD = "forward_command_controller/ForwardCommandController"
+
 
 def joint_blanks(
     names: Sequence[str], start: Sequence[float], tau: Sequence[float]
@@ -32,8 +34,7 @@ def joint_blanks(
         "joints_flow": f"[{', '.join(map(_text, names))}]",
         # ROS 2
         "controller_types": "\n".join(
-            f"    {_controller(i)}:\n      type: forward_command_controller/ForwardCommandController"
-            for i, _ in numbered
+            f"    {_controller(i)}:\n      type: {_FORWARD}" for i, _ in numbered
         ),
         "controller_joints": "\n\n".join(
             f"/{NAMESPACE}/{_controller(i)}:\n  ros__parameters:\n"
@@ -59,8 +60,8 @@ def joint_blanks(
         ),
         # both
         "table": "\n".join(
-            f"| {name} | {q:.6g} | {torque:.6g} |"
-            for (name, q), torque in zip(placed, tau, strict=True)
+            f"| {name} | {round(q, 4) + 0.0} | {round(torque, 4) + 0.0} |"
+            for (name, q), torque in zip(placed, map(float, tau), strict=True)
         ),
     }
 

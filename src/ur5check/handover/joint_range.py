@@ -42,7 +42,9 @@ def _start(joint: Joint, q: float) -> float:
         return q
     if joint.kind == "revolute":
         # Of the turns that bring q into the range, the one that needs fewest.
-        turns = math.ceil((lower - q) / math.tau) if q < lower else math.floor((upper - q) / math.tau)
+        turns = (
+            math.ceil((lower - q) / math.tau) if q < lower else math.floor((upper - q) / math.tau)
+        )
         moved = q + turns * math.tau
         if lower <= moved <= upper:
             return moved

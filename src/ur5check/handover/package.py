@@ -1,8 +1,8 @@
 """The packages that hand an arm over to Gazebo, as files in memory.
 
-What the paper's launch file did, in the terms of ROS 1 and of ROS 2: an empty world, the arm spawned
-at a height, an effort controller a joint under /ur, joint states, transforms; and a node that
-publishes a computed torque.
+What the paper's launch file did, in the terms of ROS 1 and of ROS 2: an empty world, the arm
+spawned at a height, an effort controller a joint under /ur, joint states, transforms; and a node
+that publishes a computed torque.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ def gazebo_handover(
     tau = gravity_torque(described, start)
     notes = (*_turned(arm, pose, start), *model.notes)
     blanks = {
-        **joint_blanks(described.joint_names, start, tau),
+        **joint_blanks(described.joint_names, start, tau.tolist()),
         "version": __version__,
         "package": f"{name}_gazebo",
         "stem": name,
