@@ -20,7 +20,7 @@ ARM = """\
   </link>
   <joint name="lift" type="revolute">
     <parent link="upper"/><child link="lower"/><origin xyz="0.4 0 0" rpy="1.5707963267948966 0 0"/>
-    <axis xyz="0 1 0"/><limit lower="-3" upper="3" velocity="3" effort="60"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="3" effort="60"/>
   </joint>
   <link name="lower">
     <inertial>

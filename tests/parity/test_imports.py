@@ -97,7 +97,7 @@ def test_each_faults_newton_metres_add_up_to_the_whole(name, arm):
     believed = rnea(imported.believed, *state) - rnea(arm, *state)
     np.testing.assert_allclose(believed, whole, atol=1e-12)
     costs = [one.cost for one in imported.harmful]
-    assert all(cost > 1e-3 for cost in costs)
+    assert all(cost > 1e-6 for cost in costs)
     # No |Δτ| is larger than what the faults make one by one, and one alone makes all of it.
     assert np.abs(whole).max() <= sum(costs) + 1e-12
     if len(costs) == 1:

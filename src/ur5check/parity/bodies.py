@@ -52,7 +52,7 @@ def body_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifferenc
             merged += heavy[1:]
     if merged:
         names = ", ".join(map(repr, merged))
-        found.append(ImportDifference("body-merged", "", names, "one body a joint", "nothing"))
+        found.append(ImportDifference("body-merged", "", names, "one body a joint"))
     return found
 
 
@@ -129,9 +129,7 @@ def _named(
     written = f"{body.parameters[0]:.4g} kg" if body.has_inertial else "no <inertial>"
     if kind == "rotation-dropped":
         written = "its tensor along axes turned by rpy"
-    return ImportDifference(
-        kind, f"link {body.name!r}", written, held, "torque", i, _at_link(delta, n, i)
-    )
+    return ImportDifference(kind, f"link {body.name!r}", written, held, i, _at_link(delta, n, i))
 
 
 def _number_by_number(part: _Part, n: int, i: int, tolerance: Array) -> list[ImportDifference]:
@@ -152,7 +150,7 @@ def _number_by_number(part: _Part, n: int, i: int, tolerance: Array) -> list[Imp
     ]
     where = f"link {part.written[0].name!r}"
     return [
-        ImportDifference(kind, where, before, after, "torque", i, _at_link(delta, n, i))
+        ImportDifference(kind, where, before, after, i, _at_link(delta, n, i))
         for (kind, before, after), delta in zip(said, shares(parameters, 3), strict=True)
         if (np.abs(delta) > tolerance).any()
     ]

@@ -29,29 +29,29 @@ Kind = Literal[
     "body-merged", "base-kept", "base-ignored", "coordinates",
 ]  # fmt: skip
 
-#: What each kind means, as a column of a table says it.
-KINDS: dict[Kind, str] = {
-    "default-inertia": "a link without <inertial> is given one",
-    "shape-mass": "a link without <inertial> is weighed by its shape",
-    "rotation-dropped": "the rpy of <inertial><origin> is left out",
-    "body-lost": "a link's inertia is lost",
-    "mass-changed": "a mass is another",
-    "com-moved": "a centre of mass lies elsewhere",
-    "tensor-changed": "a tensor is another (balanced, bounded, misread)",
-    "armature": "a joint's motor inertia is another",
-    "axis": "a joint turns about another axis",
-    "gravity": "gravity is another unless it is told",
-    "order": "joints come in another order",
-    "position-limit": "a position limit is another, or lost",
-    "velocity-limit": "a velocity limit is another, or lost",
-    "effort-limit": "an effort limit is another, or lost",
-    "damping": "a joint's damping is another, or lost",
-    "friction": "a joint's friction is another, or lost",
-    "tool": "the tool frame stands elsewhere",
-    "body-merged": "links fixed to each other are kept as one body",
-    "base-kept": "the base's inertia is kept",
-    "base-ignored": "the base's inertia is left out",
-    "coordinates": "a joint takes more than one position coordinate",
+#: What each kind bears on, and what it means.
+KINDS: dict[Kind, tuple[Bearing, str]] = {
+    "default-inertia": ("torque", "a link without `<inertial>` is given one"),
+    "shape-mass": ("torque", "a link without `<inertial>` is weighed by its shape"),
+    "rotation-dropped": ("torque", "the rpy of `<inertial><origin>` is left out"),
+    "body-lost": ("torque", "a link's inertia is lost"),
+    "mass-changed": ("torque", "a mass is another"),
+    "com-moved": ("torque", "a centre of mass lies elsewhere"),
+    "tensor-changed": ("torque", "a tensor is another: balanced, bounded, misread"),
+    "armature": ("torque", "a joint's motor inertia is another"),
+    "axis": ("torque", "a joint turns about another axis"),
+    "gravity": ("use", "gravity is another unless it is told"),
+    "order": ("use", "joints come in another order"),
+    "position-limit": ("use", "position limits are others, or lost"),
+    "velocity-limit": ("use", "a velocity limit is another, or lost"),
+    "effort-limit": ("use", "an effort limit is another, or lost"),
+    "damping": ("use", "a joint's damping is another, or lost"),
+    "friction": ("use", "a joint's friction is another, or lost"),
+    "tool": ("use", "the tool frame stands elsewhere"),
+    "body-merged": ("nothing", "links fixed to each other are kept as one body"),
+    "base-kept": ("nothing", "the inertia of what stands is kept"),
+    "base-ignored": ("nothing", "the inertia of what stands is left out"),
+    "coordinates": ("nothing", "a joint takes more than one position coordinate"),
 }
 assert set(KINDS) == set(get_args(Kind))  # noqa: S101 - about this file alone
 
@@ -73,11 +73,15 @@ class ImportDifference:
     where: str
     written: str
     held: str
-    bears_on: Bearing
     joint: int | None = None
     parameters: Array | None = field(default=None, repr=False)
     cost: float | None = None
     habit: Habit | None = None
+
+    @property
+    def bears_on(self) -> Bearing:
+        """What a difference of this kind bears on."""
+        return KINDS[self.kind][0]
 
     @property
     def harmful(self) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 from ..arm.serial_arm import Joint, SerialArm
 from ..arm.transforms import Array
 from ..engines.holdings import Holdings, strict_holdings
-from .import_difference import Bearing, ImportDifference, Kind
+from .import_difference import ImportDifference, Kind
 from .rounding import pose_rounding, same_number
 from .written import base_bodies
 
@@ -23,9 +23,7 @@ def joint_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifferen
     names = tuple(joint.name for joint in holdings.joints)
     found = []
     if names != arm.joint_names:
-        found.append(
-            ImportDifference("order", "", ", ".join(arm.joint_names), ", ".join(names), "use")
-        )
+        found.append(ImportDifference("order", "", ", ".join(arm.joint_names), ", ".join(names)))
     held = {joint.name: joint for joint in holdings.joints}
     for i, written in enumerate(strict_holdings(arm).joints):
         if written.name in held:
@@ -38,25 +36,25 @@ def _of_joint(written: Joint, held: Joint, arm: SerialArm, i: int) -> list[Impor
     found = []
     if np.abs(written.axis - held.axis).max() > pose_rounding(arm):
         words = (_list(written.axis), _list(held.axis))
-        found.append(ImportDifference("axis", where, *words, "torque", i))
-    for kind, before, after, bearing in _numbers(written, held):
+        found.append(ImportDifference("axis", where, *words, i))
+    for kind, before, after in _numbers(written, held):
         if not all(same_number(a, b) for a, b in zip(before, after, strict=True)):
             words = (_shown(before), _shown(after))
-            found.append(ImportDifference(kind, where, *words, bearing, i))
+            found.append(ImportDifference(kind, where, *words, i))
     return found
 
 
 def _numbers(
     written: Joint, held: Joint
-) -> list[tuple[Kind, tuple[float | None, ...], tuple[float | None, ...], Bearing]]:
+) -> list[tuple[Kind, tuple[float | None, ...], tuple[float | None, ...]]]:
     a, b = written.limits, held.limits
     return [
-        ("armature", (written.armature,), (held.armature,), "torque"),
-        ("position-limit", _known(a.lower, a.upper), _known(b.lower, b.upper), "use"),
-        ("velocity-limit", _known(a.velocity or None), _known(b.velocity or None), "use"),
-        ("effort-limit", _known(a.effort or None), _known(b.effort or None), "use"),
-        ("damping", (written.damping,), (held.damping,), "use"),
-        ("friction", (written.friction,), (held.friction,), "use"),
+        ("armature", (written.armature,), (held.armature,)),
+        ("position-limit", _known(a.lower, a.upper), _known(b.lower, b.upper)),
+        ("velocity-limit", _known(a.velocity or None), _known(b.velocity or None)),
+        ("effort-limit", _known(a.effort or None), _known(b.effort or None)),
+        ("damping", (written.damping,), (held.damping,)),
+        ("friction", (written.friction,), (held.friction,)),
     ]
 
 
@@ -66,21 +64,21 @@ def frame_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifferen
     g = holdings.gravity
     if not all(same_number(*pair) for pair in zip(g, arm.gravity, strict=True)):
         words = (f"{_list(arm.gravity)} m/s²", f"{_list(g)} m/s²")
-        found.append(ImportDifference("gravity", "", *words, "use"))
+        found.append(ImportDifference("gravity", "", *words))
     tool = strict_holdings(arm).tool
     if np.abs(tool - holdings.tool).max() > pose_rounding(arm):
         words = (f"at {_list(tool[:3, 3])} m", f"at {_list(holdings.tool[:3, 3])} m")
-        found.append(ImportDifference("tool", f"frame {arm.source.tip!r}", *words, "use"))
+        found.append(ImportDifference("tool", f"frame {arm.source.tip!r}", *words))
     if holdings.coordinates != arm.n:
         words = (f"{arm.n} joints", f"{holdings.coordinates} position coordinates")
-        found.append(ImportDifference("coordinates", "", *words, "nothing"))
+        found.append(ImportDifference("coordinates", "", *words))
     standing = base_bodies(arm)
     if standing:
         kept = any(body.carried_by is None and body.inertia.mass for body in holdings.bodies)
         held = "kept" if kept else "left out"
         kind: Kind = "base-kept" if kept else "base-ignored"
         names = ", ".join(map(repr, standing))
-        found.append(ImportDifference(kind, "", names, held, "nothing"))
+        found.append(ImportDifference(kind, "", names, held))
     return found
 
 

@@ -43,20 +43,22 @@ def engines_document(
 
 
 def _parity(report: EngineReport, limit: float) -> Section:
-    tables = [_torques(report, limit), _answers(report, limit)]
-    return Section("How far apart their answers are", (), tuple(tables))
+    if len(report.final.matrix.keys) < 2:
+        return Section("How far apart their answers are", ("There is one side only.",))
+    tables = (_torques(report), _answers(report, limit))
+    return Section("How far apart their answers are", (), tables)
 
 
-def _torques(report: EngineReport, limit: float) -> Table:
+def _torques(report: EngineReport) -> Table:
     """Above the diagonal as read, below it with the remedies."""
-    keys = report.as_read.matrix.keys
+    keys = [reading.key for reading in report.as_read.readings]
     columns = [Column(REGISTRY[key].title, number=True) for key in keys]
     rows = []
     for i, a in enumerate(keys):
         above = [_torque(report.as_read, a, b) if i < j else "" for j, b in enumerate(keys)]
         below = [_torque(report.final, a, b) if i > j else "" for j, b in enumerate(keys)]
         cells = [x or y or "·" for x, y in zip(above, below, strict=True)]
-        rows.append(Row((REGISTRY[a].title, *cells), bad=False))
+        rows.append(Row((REGISTRY[a].title, *cells)))
     note = f"The worst of {len(report.states):,} states"
     extra = len(report.states) - report.samples
     note += f", {extra} of them sought for being the worst." if extra else "."
@@ -76,7 +78,7 @@ def _answers(report: EngineReport, limit: float) -> Table:
     rows = []
     for name, stage in report.stages():
         for key in stage.matrix.keys[1:]:
-            if stage is report.mended and not report.as_read.reading(key).harmful:
+            if name == "mended" and stage.reading(key).engine is report.as_read.reading(key).engine:
                 continue  # it had no need of remedies, and answers as before
             p = stage.matrix.between("own", key)
             numbers = (p.torque, p.mass, p.bias, p.acceleration, p.tool)
