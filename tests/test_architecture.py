@@ -54,7 +54,11 @@ MAY_IMPORT = {
 }  # fmt: skip
 
 #: Third-party engines, and the files that may import them.
-ENGINES = {"pinocchio": {"engines/pinocchio.py", "sources/pinocchio_model.py"}}
+ENGINES = {
+    "pinocchio": {"engines/pinocchio.py", "sources/pinocchio_model.py"},
+    "mujoco": {"engines/mujoco.py", "sources/mjcf_file.py"},
+    "pydrake": {"engines/drake.py", "sources/sdf_file.py"},
+}
 
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))
 

@@ -18,19 +18,16 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from ..arm.inertia import Inertia
-from ..arm.serial_arm import STANDARD_GRAVITY, Joint, Link, SerialArm
-from ..arm.transforms import Transform
-from ..version import __version__
+from ..arm.serial_arm import STANDARD_GRAVITY, Joint, SerialArm
+from .comments import came_from, xml_comment
 from .names import unique_names
-from .numbers import as_written, exact, roll_pitch_yaw, triple
+from .numbers import exact, triple
+from .settled import Pose, rpy_pose, settled_inertia
 
 __all__ = ["NO_LIMIT", "urdf_of"]
 
 #: Where a number is demanded and not known: the largest double.
 NO_LIMIT = sys.float_info.max
-
-# Rounding of an inertia taken from one frame to another and back, in units of ε.
-_MOVED = 8 * float(np.finfo(np.float64).eps)
 
 
 def urdf_of(arm: SerialArm) -> str:
@@ -43,28 +40,21 @@ def urdf_of(arm: SerialArm) -> str:
     # URDF lets a link and a joint share a name; Pinocchio then has two frames of that name.
     names = unique_names([arm.source.base, *(link.name for link in arm.links)], "link", joints)
     lines = ['<?xml version="1.0" encoding="utf-8"?>']
-    lines += [f"<!-- {_comment(line)} -->" for line in _header(arm)]
+    lines += [f"<!-- {xml_comment(line)} -->" for line in _header(arm)]
     lines += [
         f"<robot name={quoteattr(arm.name.strip() or 'arm')}>",
         f"  <link{_named(names[0])}/>",
     ]
-    placement = arm.base
-    for joint, name, link, parent, child in zip(
-        arm.joints, joints, arm.links, names, names[1:], strict=False
-    ):
-        lines += _joint_lines(joint, name, parent, child, placement)
-        lines += _link_lines(link, child)
-        placement = link.far_end
-    lines += _tip_lines(arm, names, joints, placement)
+    starts = [rpy_pose(T) for T in (arm.base, *(link.far_end for link in arm.links))]
+    for i, (joint, link) in enumerate(zip(arm.joints, arm.links, strict=True)):
+        lines += _joint_lines(joint, joints[i], names[i], names[i + 1], starts[i])
+        lines += _link_lines(settled_inertia(link, starts[i + 1].read), names[i + 1])
+    lines += _tip_lines(arm, names, joints, starts[-1])
     return "\n".join([*lines, "</robot>", ""])
 
 
 def _header(arm: SerialArm) -> list[str]:
-    lines = [
-        f"Arm {arm.name!r}, written by ur5check {__version__}: joints and inertias, no shapes."
-    ]
-    lines += [f"Read from {name} (SHA-256 {digest})" for name, digest in arm.source.inputs]
-    lines += arm.source.notes
+    lines = came_from(arm)
     if not np.array_equal(arm.gravity, STANDARD_GRAVITY):
         lines.append(
             f"URDF cannot carry gravity: this arm's is ({triple(arm.gravity)}) m/s² in the frame "
@@ -88,13 +78,6 @@ def _header(arm: SerialArm) -> list[str]:
     return lines
 
 
-def _comment(text: str) -> str:
-    """Text that may stand in a comment, where "--" may not."""
-    while "--" in text:
-        text = text.replace("--", "- -")
-    return "".join(c if c.isprintable() else " " for c in text).rstrip("-")
-
-
 def _limits(joint: Joint) -> dict[str, float | None]:
     """The attributes that this joint's `<limit>` needs; none where it needs no `<limit>`."""
     limits = joint.limits
@@ -111,9 +94,7 @@ def _kind(joint: Joint) -> str:
     return "revolute" if bounded else "continuous"
 
 
-def _joint_lines(
-    joint: Joint, name: str, parent: str, child: str, placement: Transform
-) -> list[str]:
+def _joint_lines(joint: Joint, name: str, parent: str, child: str, placement: Pose) -> list[str]:
     lines = [
         f'  <joint{_named(name)} type="{_kind(joint)}">',
         f"    <parent link={quoteattr(parent)}/>",
@@ -135,8 +116,7 @@ def _joint_lines(
     return [*lines, "  </joint>"]
 
 
-def _link_lines(link: Link, name: str) -> list[str]:
-    here = _rounded(link.inertia.expressed_in(link.far_end), link)
+def _link_lines(here: Inertia, name: str) -> list[str]:
     entries = " ".join(
         f'i{a}{b}="{exact(here.tensor["xyz".index(a), "xyz".index(b)])}"'
         for a, b in ("xx", "xy", "xz", "yy", "yz", "zz")
@@ -152,22 +132,11 @@ def _link_lines(link: Link, name: str) -> list[str]:
     ]
 
 
-def _rounded(here: Inertia, link: Link) -> Inertia:
-    """The link's inertia at its joint without the rounding of the way to frame i and back."""
-    length = max(np.abs(vector).max() for vector in (link.inertia.com, here.com, link.far_end.p))
-    largest = float(np.abs(here.tensor).max())
-    com = [as_written(x, _MOVED * float(length)) for x in here.com]
-    tensor = [[as_written(x, _MOVED * largest) for x in row] for row in here.tensor]
-    return Inertia(here.mass, np.array(com), np.array(tensor))
-
-
-def _tip_lines(
-    arm: SerialArm, names: list[str], joints: list[str], placement: Transform
-) -> list[str]:
+def _tip_lines(arm: SerialArm, names: list[str], joints: list[str], placement: Pose) -> list[str]:
     """The tool frame on a fixed joint; nothing where the last link's own frame is the tool's."""
     last, tip = names[-1], arm.source.tip
     if tip == arm.links[-1].name:
-        if np.array_equal(placement.matrix(), np.eye(4)):
+        if np.array_equal(placement.read.matrix(), np.eye(4)):
             return []
         tip = "tool"
     (tip,) = unique_names([tip], "link", [*names, *joints])
@@ -182,8 +151,8 @@ def _tip_lines(
     ]
 
 
-def _origin(T: Transform) -> str:
-    return f'<origin xyz="{triple(T.p)}" rpy="{triple(roll_pitch_yaw(T.R))}"/>'
+def _origin(pose: Pose) -> str:
+    return f'<origin xyz="{triple(pose.xyz)}" rpy="{triple(pose.turn)}"/>'
 
 
 def _named(name: str) -> str:

@@ -20,7 +20,14 @@ __all__ = ["ArmSource", "load"]
 #: What can be taken for an arm.
 ArmSource: TypeAlias = "str | Path | SerialArm | pin.Model"
 
-_KINDS = {".urdf": "urdf", ".xacro": "xacro", ".toml": "dh"}
+_KINDS = {
+    ".urdf": "urdf",
+    ".xacro": "xacro",
+    ".toml": "dh",
+    ".xml": "xml",
+    ".mjcf": "mjcf",
+    ".sdf": "sdf",
+}
 
 
 def load(
@@ -33,9 +40,10 @@ def load(
 ) -> SerialArm:
     """The arm that `x` stands for.
 
-    x : the name of a shipped model, the path of a .urdf, .xacro or DH .toml file, a `pin.Model`,
-        or a `SerialArm`, which comes back as it is
-    base, tip : links (frames, of a pin.Model) between which the arm is taken
+    x : the name of a shipped model, the path of a .urdf, .xacro, MJCF .xml, .sdf or DH .toml file,
+        a `pin.Model`, or a `SerialArm`, which comes back as it is
+    base, tip : links (bodies or sites of an MJCF, frames of a pin.Model) between which the arm is
+        taken
     packages : ROS package names and their folders, for `$(find …)` in a xacro
     arguments : values for the `xacro:arg`s of a xacro
 
@@ -82,6 +90,18 @@ def _read(
 
         _refuse("a DH table", base=base, tip=tip, arguments=arguments)
         return read_dh(data, file=label)
+    if kind == "xml":
+        kind = _kind_by_root(data, label)
+    if kind == "mjcf":
+        from .mjcf_file import read_mjcf
+
+        _refuse("an MJCF file", arguments=arguments)
+        return read_mjcf(data, file=label, folder=path.parent, base=base, tip=tip)
+    if kind == "sdf":
+        from .sdf_file import read_sdf
+
+        _refuse("an SDF file", arguments=arguments)
+        return read_sdf(data, file=label, base=base, tip=tip)
     from .urdf_file import read_urdf
 
     if kind == "urdf":
@@ -104,6 +124,25 @@ def _read(
         kind="xacro",
         inputs=tuple(expansion.inputs),
     )
+
+
+def _kind_by_root(data: bytes, label: str) -> str:
+    """Both MuJoCo's models and some URDFs are called .xml; the root element tells."""
+    from lxml import etree
+
+    from .xml_text import checked_xml
+
+    root = etree.fromstring(checked_xml(data, label))
+    kind = {"mujoco": "mjcf", "robot": "urdf"}.get(root.tag)
+    if kind is None:
+        raise ModelError(
+            "the root element is neither MJCF's nor a URDF's",
+            remedy="a .xml file is <mujoco> or <robot>; an SDF is called .sdf",
+            file=label,
+            line=root.sourceline,
+            element=f"<{etree.QName(root).localname}>",
+        )
+    return kind
 
 
 def _refuse(what: str, **options: object) -> None:

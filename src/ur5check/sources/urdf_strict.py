@@ -23,7 +23,11 @@ JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "plan
 ENTRIES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 _WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
-_OTHER_FORMATS = {"sdf": "an SDFormat file", "mujoco": "a MuJoCo model", "COLLADA": "a mesh"}
+_OTHER_FORMATS = {
+    "sdf": "this is an SDFormat file: name it .sdf",
+    "mujoco": "this is a MuJoCo model: name it .xml",
+    "COLLADA": "this is a mesh: give the robot's description",
+}
 
 
 def check_urdf(data: bytes, file: str) -> Element:
@@ -62,7 +66,7 @@ def _check_root(root: Element, reader: ElementReader) -> None:
         return
     remedy = "a URDF's root is <robot>"
     if tag.localname in _OTHER_FORMATS:
-        remedy = f"this is {_OTHER_FORMATS[tag.localname]}: convert it to URDF first"
+        remedy = _OTHER_FORMATS[tag.localname]
     elif tag.localname == "robot":
         remedy = "remove the default namespace, xmlns=…: URDF has none"
     reader.fail(root, f"<{tag.localname}>", "the root element is not a URDF's", remedy, root.tag)

@@ -1,4 +1,4 @@
-"""Reading one URDF element: its names, its numbers, its children; each fault a `ModelError`."""
+"""Reading one XML element: its names, its numbers, its children; each fault a `ModelError`."""
 
 from __future__ import annotations
 
@@ -82,6 +82,21 @@ class ElementReader:
             self.fail(node, where, problem, "write three numbers, parted by spaces", text)
         a, b, c = numbers
         return a, b, c
+
+    def numbers(self, node: Element, attribute: str, owner: str) -> list[Printed]:
+        """An attribute of plain numbers, however many."""
+        text = str(node.get(attribute))
+        return [self._plain(node, f"{owner} {attribute}", word, text) for word in text.split()]
+
+    def text_numbers(self, node: Element, owner: str, count: int) -> list[Printed]:
+        """An element's own text: `count` plain numbers."""
+        text = node.text or ""
+        words = text.split()
+        numbers = [self._plain(node, owner, word, text) for word in words]
+        if len(numbers) != count:
+            problem = f"takes {count} number{'s' if count > 1 else ''}, not {len(numbers)}"
+            self.fail(node, owner, problem, "write them, parted by spaces", text)
+        return numbers
 
     def origin(
         self, node: Element, owner: str
