@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import json
 import re
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import jsonschema
@@ -132,6 +136,28 @@ def test_a_checkpoint_goes_on(say, tmp_path):
     code, out, err = say(*BASE, "--seed", 1, "--checkpoint", kept, "--quiet")
     assert (code, out) == (2, "")
     assert "was written for another sweep (different: sample)" in err
+
+
+@pytest.mark.parametrize("threads", ["1", "2"])
+def test_ctrl_c_keeps_what_is_done(tmp_path, threads):
+    kept = tmp_path / "kept.json"
+    words = ["sweep", "paper", "paper", "--states", "1e9", "--threads", threads, "--batch", "1"]
+    words += ["--checkpoint", str(kept), "--checkpoint-every", "0"]
+    running = subprocess.Popen(
+        [sys.executable, "-m", "ur5check", *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    while not kept.exists() and running.poll() is None:
+        time.sleep(0.02)
+    running.send_signal(signal.SIGINT)
+    out, err = running.communicate(timeout=20)
+    assert (running.returncode, out) == (130, "")
+    assert re.search(r"kept\.json keeps [\d,]+ states; the same command goes on", err)
+    assert err.endswith("ur5check: error: interrupted\n")
+    assert json.loads(kept.read_text())["blocks"] >= 1
+    assert list(tmp_path.iterdir()) == [kept]
 
 
 @pytest.mark.parametrize(

@@ -164,6 +164,11 @@ def test_a_truncated_checkpoint_is_refused(paper, appendix, tmp_path):
         sweep(paper, appendix, states=100, checkpoint=file)
 
 
+def test_a_checkpoint_without_a_folder_is_refused_before_any_work(paper, appendix, tmp_path):
+    with pytest.raises(UsageError, match="there is no such folder"):
+        sweep(paper, appendix, states=10**12, checkpoint=tmp_path / "no" / "kept.json")
+
+
 @pytest.mark.parametrize("count", [1, 2])
 def test_an_error_in_a_block_ends_the_sweep(whole, count):
     def broken(start: int, stop: int):

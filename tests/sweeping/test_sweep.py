@@ -15,10 +15,12 @@ from ur5check.arm.states import States
 from ur5check.dynamics.kinematics import forward_kinematics
 from ur5check.errors import StateError, UsageError
 from ur5check.sweeping.magnitudes import RELATIVE_ERROR
+from ur5check.sweeping.plan import plan_of
 from ur5check.sweeping.reach_map import HEIGHTS, ReachGrid, tool_position
 from ur5check.sweeping.result import QUANTILES
-from ur5check.sweeping.sample import BLOCK
-from ur5check.sweeping.sweep import sweep
+from ur5check.sweeping.sample import BLOCK, GridSample, RandomSample
+from ur5check.sweeping.sobol_sample import SobolSample
+from ur5check.sweeping.sweep import _free_box, sweep
 from ur5check.sweeping.tally import tally_of
 
 COUNT = 10_000
@@ -91,6 +93,19 @@ def test_the_map_of_a_long_sweep_sees_every_so_many_state(paper, appendix):
     assert sparse.tally(0, 1).visits.sum() == BLOCK // 16
     assert plan.tally(0, 1).visits.sum() == BLOCK
     assert (sparse.tally(0, 1).maximum == plan.tally(0, 1).maximum).all()
+
+
+@pytest.mark.parametrize(
+    ("count", "sample", "every"),
+    [(10**6, "random", 1), (5 * 10**6, "random", 5), (10**9, "sobol", 16), (10**9, "grid", 1)],
+)
+def test_a_map_wants_a_million_states_and_of_a_grid_all(found, count, sample, every):
+    kinds = {
+        "random": RandomSample(_free_box(6), count, 0),
+        "sobol": SobolSample(_free_box(6), count, 0),
+        "grid": GridSample(_free_box(6), 31),
+    }
+    assert plan_of(found.pair, kinds[sample], None).map_every == every
 
 
 def test_a_tool_off_the_map_is_counted_at_its_edge():

@@ -51,8 +51,11 @@ def save(path: Path, plan: Plan, done: Checkpoint) -> None:
 def load(path: Path, plan: Plan) -> Checkpoint | None:
     """What is done of this plan; None if there is no such file yet.
 
-    Raises UsageError for a file that is no checkpoint, or one of another sweep.
+    Raises UsageError for a file that is no checkpoint, or one of another sweep, and where none
+    could be written.
     """
+    if not path.resolve().parent.is_dir():
+        raise UsageError(f"checkpoint {path}: there is no such folder; make it first")
     try:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:

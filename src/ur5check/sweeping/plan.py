@@ -90,15 +90,18 @@ class Plan:
 
 def plan_of(pair: Pair, sample: Sample, over: ArrayLike | None) -> Plan:
     """The plan for a pair of arms.  Raises UsageError for a limit that is none."""
-    box = sample.description().get("box") or box_value(state_box(pair, 0.0))
+    of = sample.description()
+    box = of.get("box") or box_value(state_box(pair, 0.0))
     travel = np.abs([box["lower"], box["upper"]]).max(axis=0)
+    # Of a grid, every sixteenth posture might be one and the same angle of a joint.
+    every = 1 if of["kind"] == "grid" else min(max(sample.count // _MAP_STATES, 1), _MAP_EVERY)
     return Plan(
         _bare(pair.a),
         _bare(pair.b),
         sample,
         None if over is None else _limits(over, pair.a.n),
         reach_grid(pair.a, travel),
-        min(max(sample.count // _MAP_STATES, 1), _MAP_EVERY),
+        every,
     )
 
 
