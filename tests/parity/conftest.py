@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import planted_engines
 import pytest
+from three_joints import ARM
 
-from models import ARM
 from ur5check.arm import SerialArm
 from ur5check.engines.registry import REGISTRY, EngineEntry
 from ur5check.sources.urdf_file import read_urdf
@@ -15,7 +15,7 @@ from ur5check.sources.urdf_file import read_urdf
 
 @pytest.fixture(scope="session")
 def arm() -> SerialArm:
-    """The three-jointed arm of `models`."""
+    """The three-jointed arm of `three_joints`."""
     return read_urdf(ARM.encode(), file="three.urdf", base="base", tip="tool")
 
 

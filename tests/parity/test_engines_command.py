@@ -8,8 +8,8 @@ from typing import Any
 
 import jsonschema
 import pytest
+from three_joints import ARM
 
-from models import ARM
 from ur5check.cli.main import main
 from ur5check.parity.import_difference import KINDS
 

@@ -131,6 +131,7 @@ def compare_engines(
     arm = load(model)
     keys = engine_keys(engines)
     g = gravity_of(arm, gravity)
+    drawn = random_states(arm.n, samples, seed)
     readings = []
     for key in keys:
         say(f"{REGISTRY[key].title} reads {arm.name}")
@@ -140,7 +141,7 @@ def compare_engines(
         for reading in readings
         if reading.imported is not None and reading.imported.harmful
     ]
-    states = join_states(random_states(arm.n, samples, seed), *worst)
+    states = join_states(drawn, *worst)
     say(f"asking them at {len(states):,} states")
     as_read = _stage(readings, states, arm, g)
     mended = None

@@ -34,11 +34,12 @@ def compare_fleet(
     samples: int = FLEET_SAMPLES,
     seed: int = 0,
     remedies: bool = True,
-    arms: Sequence[FleetArm] = FLEET,
+    arms: Sequence[FleetArm] | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> FleetReport:
-    """`compare_engines` on every arm of a fleet.  Raises as that does."""
+    """`compare_engines` on every arm of a fleet, `FLEET` when None.  Raises as that does."""
     say = progress or (lambda line: None)
+    arms = FLEET if arms is None else arms
     reports = []
     for number, entry in enumerate(arms, 1):
         say(f"{entry.name} ({number} of {len(arms)})")

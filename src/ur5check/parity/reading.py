@@ -49,6 +49,11 @@ class Reading:
         return self.engine.route if self.engine else ""
 
     @property
+    def said(self) -> tuple[str, ...]:
+        """Warnings of the engine's own while it read."""
+        return self.imported.holdings.said if self.imported else ()
+
+    @property
     def harmful(self) -> bool:
         """Whether the engine holds another arm, as far as torque can tell."""
         return bool(self.imported and self.imported.harmful) or bool(

@@ -187,6 +187,12 @@ def _engines(report: EngineReport) -> Section:
         (Column("engine"), Column("version"), Column("was given"), Column("holds")), tuple(rows)
     )
     lines = [
+        f"{reading.title} warns: {_short(reading.said[0], 160)}"
+        + (f" ({len(reading.said) - 1} more)" if len(reading.said) > 1 else "")
+        for reading in report.as_read.readings
+        if reading.said
+    ]
+    lines += [
         f"{REGISTRY[key].title} is not installed: pip install 'ur5check[{REGISTRY[key].extra}]'"
         for key in report.absent
     ]

@@ -97,6 +97,7 @@ def _engine(stage: str, reading: Reading) -> Report:
         "stage": stage,
         "route": reading.route or None,
         "refused": reading.refused,
+        "said": reading.said,
         "explained": belief is not None and belief.explained,
         "unexplained": None if belief is None else belief.gap,
         "follows": [] if belief is None else belief.follows,
