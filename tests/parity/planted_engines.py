@@ -16,7 +16,7 @@ from ur5check.dynamics.kinematics import link_frames
 from ur5check.engines.holdings import HeldBody
 from ur5check.engines.own import OwnEngine
 from ur5check.errors import EngineError
-from ur5check.parity.written import written_bodies
+from ur5check.parity.written import written_arm
 from ur5check.sources.urdf_file import read_urdf
 
 UNIT = (
@@ -56,7 +56,7 @@ class Honest(OwnEngine):
                     Transform.from_matrix(frames[body.carried_by])
                 ),
             )
-            for body in written_bodies(self.arm)
+            for body in written_arm(self.arm).bodies
         ]
         return replace(whole, bodies=tuple(bodies))
 

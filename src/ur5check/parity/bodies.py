@@ -23,7 +23,7 @@ from ..dynamics.kinematics import link_frames
 from ..engines.holdings import Holdings
 from .import_difference import ImportDifference, Kind
 from .rounding import parameter_rounding
-from .written import Misreading, WrittenBody, written_bodies
+from .written import Misreading, WrittenBody, written_arm
 
 __all__ = ["body_differences"]
 
@@ -42,7 +42,7 @@ def body_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifferenc
     """Every difference of a moving body, joint by joint from the base."""
     found: list[ImportDifference] = []
     merged: list[str] = []
-    written = written_bodies(arm)
+    written = written_arm(arm).bodies
     for i, held in enumerate(_held_by_joint(holdings, arm)):
         group = [body for body in written if body.carried_by == i]
         for part in _parts(group, held):

@@ -148,7 +148,8 @@ def compare_engines(
     if remedies and any(r.harmful or r.refused for r in as_read.readings):
         say("asking again with the remedies")
         mended = _stage([_mended(r, arm, g) for r in as_read.readings], states, arm, g)
-    absent = tuple(key for key in REGISTRY if key not in installed())
+    here = installed()
+    absent = tuple(key for key in REGISTRY if key not in here)
     return EngineReport(arm, g, states, samples, seed, as_read, mended, absent)
 
 

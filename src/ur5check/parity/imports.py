@@ -77,7 +77,10 @@ def audit(holdings: Holdings, arm: SerialArm, key: str = "") -> Import:
 def priced(imported: Import, states: States) -> Import:
     """The same with each difference's newton metres at these states, the dearest first."""
     arm, holdings = imported.arm, imported.holdings
-    Y = torque_regressor(arm, states.q, states.qd, states.qdd)
+    if not imported.differences:
+        return imported
+    inertial = any(one.parameters is not None for one in imported.differences)
+    Y = torque_regressor(arm, states.q, states.qd, states.qdd) if inertial else np.empty(0)
     order: tuple[Bearing, ...] = ("torque", "use", "nothing")
     valued = [
         replace(one, cost=_cost(one, holdings, arm, states, Y)) for one in imported.differences

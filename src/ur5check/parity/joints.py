@@ -9,7 +9,7 @@ from ..arm.transforms import Array
 from ..engines.holdings import Holdings, strict_holdings
 from .import_difference import ImportDifference, Kind
 from .rounding import pose_rounding, same_number
-from .written import base_bodies
+from .written import written_arm
 
 __all__ = ["frame_differences", "joint_differences"]
 
@@ -72,7 +72,7 @@ def frame_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifferen
     if holdings.coordinates != arm.n:
         words = (f"{arm.n} joints", f"{holdings.coordinates} position coordinates")
         found.append(ImportDifference("coordinates", "", *words))
-    standing = base_bodies(arm)
+    standing = written_arm(arm).standing
     if standing:
         kept = any(body.carried_by is None and body.inertia.mass for body in holdings.bodies)
         held = "kept" if kept else "left out"

@@ -8,7 +8,7 @@ out, a body made up where none was written.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import matmul
 from typing import TYPE_CHECKING
 
@@ -23,7 +23,7 @@ from .shapes import inertia_of_shapes
 if TYPE_CHECKING:
     from lxml.etree import _Element
 
-__all__ = ["Misreading", "WrittenBody", "base_bodies", "written_bodies"]
+__all__ = ["Misreading", "WrittenArm", "WrittenBody", "written_arm"]
 
 #: What is made up for a link without `<inertial>` by an engine that must have one.
 UNIT_BODY = Inertia(1.0, np.zeros(3), np.eye(3))
@@ -57,8 +57,19 @@ class WrittenBody:
     misreadings: tuple[Misreading, ...]
 
 
-def written_bodies(arm: SerialArm) -> tuple[WrittenBody, ...]:
-    """Every link that moves, the joint's own before those fixed to it."""
+@dataclass(frozen=True, eq=False)
+class WrittenArm:
+    """bodies : every link that moves, a joint's own before those fixed to it
+    standing : names of the links with a mass that no joint of the arm carries
+    """
+
+    bodies: tuple[WrittenBody, ...]
+    standing: tuple[str, ...] = ()
+
+
+@lru_cache(maxsize=4)  # every engine's audit asks for the same arm
+def written_arm(arm: SerialArm) -> WrittenArm:
+    """What the arm's source writes, link by link."""
     if arm.source.urdf is None:
         return _of_values(arm)
     from ..sources.urdf_robot import Robot
@@ -66,7 +77,7 @@ def written_bodies(arm: SerialArm) -> tuple[WrittenBody, ...]:
 
     root = check_urdf(arm.source.urdf.encode(), arm.name)
     robot = Robot(root, arm.name)
-    nodes = {node.get("name"): node for node in root.iterchildren("link")}
+    nodes = {str(node.get("name")): node for node in root.iterchildren("link")}
     chain = robot.tree.chain(arm.source.base, arm.source.tip)
     moving = frozenset(edge.joint for edge in chain.moving)
     bodies = []
@@ -75,8 +86,7 @@ def written_bodies(arm: SerialArm) -> tuple[WrittenBody, ...]:
         for way in robot.tree.rigid_group(edge.child, chain):
             links = [edge.child, *(step.child for step in way)]
             pose = reduce(matmul, (robot.held_pose(step, moving) for step in way), to_far_end)
-            own = robot.inertia(links[-1])
-            node = nodes[links[-1]]
+            own, node = robot.inertia(links[-1]), nodes[links[-1]]
             bodies.append(
                 WrittenBody(
                     links[-1],
@@ -88,32 +98,20 @@ def written_bodies(arm: SerialArm) -> tuple[WrittenBody, ...]:
                     tuple(_misreadings(own, node, pose)),
                 )
             )
-    return tuple(bodies)
+    carried = {body.name for body in bodies}
+    weights = {name: robot.inertia(name) for name in nodes if name not in carried}
+    standing = tuple(name for name, inertia in weights.items() if inertia and inertia.mass > 0.0)
+    return WrittenArm(tuple(bodies), standing)
 
 
-def base_bodies(arm: SerialArm) -> tuple[str, ...]:
-    """Links with a mass that no joint of the arm carries."""
-    if arm.source.urdf is None:
-        return ()
-    from ..sources.urdf_strict import check_urdf
-
-    root = check_urdf(arm.source.urdf.encode(), arm.name)
-    carried = {body.name for body in written_bodies(arm)}
-    return tuple(
-        str(node.get("name"))
-        for node in root.iterchildren("link")
-        if (mass := node.find("inertial/mass")) is not None
-        and float(mass.get("value")) > 0.0
-        and node.get("name") not in carried
-    )
-
-
-def _of_values(arm: SerialArm) -> tuple[WrittenBody, ...]:
+def _of_values(arm: SerialArm) -> WrittenArm:
     """A DH table or a value: one body a joint."""
     lost = (Misreading("body-lost", np.zeros(10), "nothing"),)
-    return tuple(
-        WrittenBody(link.name, i, (), link.inertia.parameters(), True, False, lost)
-        for i, link in enumerate(arm.links)
+    return WrittenArm(
+        tuple(
+            WrittenBody(link.name, i, (), link.inertia.parameters(), True, False, lost)
+            for i, link in enumerate(arm.links)
+        )
     )
 
 
