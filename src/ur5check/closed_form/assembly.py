@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from ..dynamics.vectors import Scalar
 from .factoring import factored
-from .graph import Graph, Input, Node
+from .graph import Graph
+from .nodes import Input, Node
 from .program import Assignment, Program, Term
 from .sums import Line, lines_of, output_name
 

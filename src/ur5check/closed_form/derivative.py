@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..dynamics.vectors import Scalar, plus, times
-from .graph import Graph, Input, Node, Product, Value
+from .graph import Graph, Value
+from .nodes import Input, Node, Product
 
 __all__ = ["derivatives"]
 

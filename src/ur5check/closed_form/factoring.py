@@ -22,7 +22,7 @@ from collections.abc import Iterable, Iterator
 from functools import reduce
 from typing import NamedTuple
 
-from .graph import Node
+from .nodes import Node
 from .patterns import Pattern, Place, line_of, patterns_in, placed
 from .sums import Line, Monomial, added, cost, term_cost
 

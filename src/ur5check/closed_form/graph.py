@@ -10,60 +10,67 @@ multiply out as they are met, and 0.5·(2·x) is x itself.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ..dynamics.vectors import Scalar
+from .identities import simplified
+from .nodes import ONE, Input, Made, Node, Product, Sum
+from .program import Operations
 
-__all__ = ["ONE", "Graph", "Input", "Node", "Product", "Sum", "Value"]
-
-Node = int  #: a place in `Graph.nodes`
-
-ONE: Node = 0  #: the node whose value is 1
-
-
-@dataclass(frozen=True, slots=True)
-class Input:
-    """A named number: `q1`, `c1`, a parameter."""
-
-    name: str
-
-
-@dataclass(frozen=True, slots=True)
-class Product:
-    """The product of two nodes."""
-
-    a: Node
-    b: Node
-
-
-@dataclass(frozen=True, slots=True)
-class Sum:
-    """ka · a + kb · b, with a < b and ka > 0."""
-
-    ka: float
-    a: Node
-    kb: float
-    b: Node
+__all__ = ["Graph", "Value"]
 
 
 @dataclass(slots=True)
 class Graph:
-    """All nodes, operands before what is made of them, none of them twice."""
+    """All nodes, operands before what is made of them, none of them twice.
 
-    nodes: list[Input | Product | Sum] = field(default_factory=lambda: [Input("1")])
-    _place: dict[Input | Product | Sum, Node] = field(default_factory=dict)
+    simplify : whether sums are tried against `identities`
+    """
+
+    simplify: bool = True
+    nodes: list[Made] = field(default_factory=lambda: [Input("1")])
+    sine_of: dict[Node, Node] = field(default_factory=dict)
+    _place: dict[Made, Node] = field(default_factory=dict)
 
     def input(self, name: str) -> Value:
         """The input of this name."""
         return Value(self, 1.0, self.place(Input(name)))
 
-    def place(self, node: Input | Product | Sum) -> Node:
+    def angle(self, cos: str, sin: str) -> tuple[Value, Value]:
+        """Cosine and sine of one angle, as inputs of these names."""
+        c, s = self.input(cos), self.input(sin)
+        self.sine_of |= {c.node: s.node, s.node: c.node}
+        return c, s
+
+    def place(self, node: Made) -> Node:
         """Where this node stands; it is added when it is new."""
         found = self._place.get(node)
         if found is None:
             found = self._place[node] = len(self.nodes)
             self.nodes.append(node)
         return found
+
+    def reached(self, outputs: Sequence[Node]) -> list[Node]:
+        """Every node that some output depends on, operands first."""
+        found, waiting = set(), list(outputs)
+        while waiting:
+            node = waiting.pop()
+            if node not in found:
+                found.add(node)
+                made = self.nodes[node]
+                if not isinstance(made, Input):
+                    waiting += (made.a, made.b)
+        return sorted(found)
+
+    def operations(self, outputs: Sequence[Scalar]) -> Operations:
+        """× and + of what the outputs need, as it was formed; each node once."""
+        needed = self.reached([value.node for value in outputs if isinstance(value, Value)])
+        made = [self.nodes[node] for node in needed]
+        sums = [node for node in made if isinstance(node, Sum)]
+        scaled = sum((abs(node.ka) != 1.0) + (abs(node.kb) != 1.0) for node in sums)
+        products = sum(isinstance(node, Product) for node in made)
+        return Operations(products + scaled, len(sums))
 
     def constant(self, number: float) -> Value:
         """A number as a value of this graph."""
@@ -103,10 +110,15 @@ class Value:
         if self.node == other.node:
             factor = self.factor + other.factor
             return Value(self.graph, factor, self.node) if factor != 0.0 else 0.0
+        graph = self.graph
+        if graph.simplify:
+            term = simplified(graph, (self.node, self.factor), (other.node, other.factor))
+            if term is not None:
+                return Value(graph, term[1], term[0])
         first, last = sorted((self, other), key=lambda value: value.node)
         sign = 1.0 if first.factor > 0.0 else -1.0
         node = Sum(sign * first.factor, first.node, sign * last.factor, last.node)
-        return Value(self.graph, sign, self.graph.place(node))
+        return Value(graph, sign, graph.place(node))
 
     __radd__ = __add__
 

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ..version import __version__
 from .program import Assignment, Program, Term
 from .quantities import QUANTITIES
 
-__all__ = ["description", "right_hand_side"]
+__all__ = ["comments", "description", "right_hand_side"]
+
+
+def comments(mark: str, program: Program, head: Sequence[str]) -> list[str]:
+    """The head of a generated file: what the caller says, then what it computes."""
+    blank = [""] if head else []
+    return [f"{mark} {line}".rstrip() for line in (*head, *blank, *description(program))]
 
 
 def right_hand_side(line: Assignment) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
-from .graph import Node
+from .nodes import Node
 from .sums import Line, Monomial
 
 __all__ = [

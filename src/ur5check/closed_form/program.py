@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import StateError
 
-__all__ = ["STATE", "Assignment", "Operations", "Program", "Term", "state_names"]
+__all__ = ["STATE", "Assignment", "Operations", "Program", "Term", "read_input", "state_names"]
 
 #: Inputs that stand for a joint's state, joint i from 1: `q1`, cosine `c1`, sine `s1`, rates.
 STATE = ("q", "c", "s", "qd", "qdd")
@@ -26,6 +26,12 @@ STATE = ("q", "c", "s", "qd", "qdd")
 def state_names(kind: str, n: int) -> tuple[str, ...]:
     """`q1`, `q2`, … of one kind of STATE."""
     return tuple(f"{kind}{i}" for i in range(1, n + 1))
+
+
+def read_input(name: str) -> tuple[str, int]:
+    """Its kind, of STATE, and its joint, from 0: "qd3" is ("qd", 2)."""
+    kind = name.rstrip("0123456789")
+    return kind, int(name.removeprefix(kind)) - 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,9 +116,8 @@ class Program:
     @property
     def arguments(self) -> tuple[str, ...]:
         """Which of q, qd, qdd the quantity depends on."""
-        needs = {"q": ("q",), "c": ("q",), "s": ("q",), "qd": ("qd",), "qdd": ("qdd",)}
-        used = {need for name in self.inputs for need in needs[name.rstrip("0123456789")]}
-        return tuple(name for name in ("q", "qd", "qdd") if name in used or name == "q")
+        used = {"q", *(read_input(name)[0] for name in self.inputs)}
+        return tuple(name for name in ("q", "qd", "qdd") if name in used)
 
     def evaluate(
         self,

@@ -14,7 +14,7 @@ from ..dynamics.regressor import regressor_rows
 from ..dynamics.vectors import ZERO, Scalar, Vector
 from .derivative import derivatives
 from .graph import Graph
-from .program import STATE, state_names
+from .program import state_names
 
 __all__ = ["QUANTITIES", "Asked", "Quantity", "Recipe", "symbolic_state"]
 
@@ -23,10 +23,14 @@ Quantity = Literal["tau", "M", "C", "g", "bias", "regressor"]
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What a recipe works with: an arm's chain, a symbolic state, the base's lift −g_0."""
+    """What a recipe works with: an arm's chain, a symbolic state, and gravity g_0.
+
+    Gravity may come as `gravity`, which every link then hears of, or as `lift` −g_0 of the base.
+    """
 
     chain: Chain
     state: JointState
+    gravity: Vector
     lift: Vector
 
     @property
@@ -46,21 +50,25 @@ class Recipe:
 
 def symbolic_state(graph: Graph, n: int) -> JointState:
     """q, cos, sin, q̇, q̈ as inputs of a graph."""
-    rows = ([graph.input(name) for name in state_names(kind, n)] for kind in STATE)
-    return JointState(*rows)
+    q, qd, qdd = (
+        [graph.input(name) for name in state_names(kind, n)] for kind in ("q", "qd", "qdd")
+    )
+    names = zip(state_names("c", n), state_names("s", n), strict=True)
+    cos, sin = zip(*(graph.angle(*pair) for pair in names), strict=True)
+    return JointState(q, cos, sin, qd, qdd)
 
 
 def _tau(asked: Asked) -> list[Scalar]:
-    return joint_torques(asked.chain, asked.state, ZERO, asked.lift)
+    return joint_torques(asked.chain, asked.state, asked.gravity, asked.lift)
 
 
 def _bias(asked: Asked) -> list[Scalar]:
     state = asked.state.with_motion(asked.state.qd, asked.still)
-    return joint_torques(asked.chain, state, ZERO, asked.lift)
+    return joint_torques(asked.chain, state, asked.gravity, asked.lift)
 
 
 def _gravity(asked: Asked) -> list[Scalar]:
-    return joint_torques(asked.chain, asked.state.resting(), ZERO, asked.lift)
+    return joint_torques(asked.chain, asked.state.resting(), asked.gravity, asked.lift)
 
 
 def _mass(asked: Asked) -> list[Scalar]:
@@ -82,7 +90,7 @@ def _coriolis(asked: Asked) -> list[Scalar]:
 
 
 def _regressor(asked: Asked) -> list[Scalar]:
-    return regressor_rows(asked.chain, outward(asked.chain, asked.state, ZERO, asked.lift))
+    return regressor_rows(asked.chain, outward(asked.chain, asked.state, asked.gravity, asked.lift))
 
 
 QUANTITIES: dict[Quantity, Recipe] = {

@@ -11,7 +11,8 @@ from collections import Counter
 from collections.abc import Sequence
 
 from ..dynamics.vectors import Scalar
-from .graph import ONE, Graph, Input, Node, Product, Sum, Value
+from .graph import Graph, Value
+from .nodes import ONE, Input, Node, Product, Sum
 
 __all__ = ["Line", "Monomial", "added", "cost", "lines_of", "output_name", "term_cost"]
 
@@ -41,7 +42,7 @@ def lines_of(graph: Graph, outputs: Sequence[Scalar]) -> dict[Node, Line]:
     outputs : values of `graph`, or plain numbers
     """
     values = [v if isinstance(v, Value) else graph.constant(v) for v in outputs]
-    needed = _reached(graph, [value.node for value in values])
+    needed = graph.reached([value.node for value in values])
     uses, as_term = _uses(graph, needed, values)
     lines: dict[Node, Line] = {}
     monomials: dict[Node, tuple[float, Monomial]] = {}
@@ -78,19 +79,6 @@ def added(left: Line, right: Line) -> Line:
     for monomial, k in right.items():
         line[monomial] = line.get(monomial, 0.0) + k
     return {monomial: k for monomial, k in line.items() if k != 0.0}
-
-
-def _reached(graph: Graph, outputs: Sequence[Node]) -> list[Node]:
-    """Every node that some output depends on, operands first."""
-    found, waiting = set(), list(outputs)
-    while waiting:
-        node = waiting.pop()
-        if node not in found:
-            found.add(node)
-            made = graph.nodes[node]
-            if not isinstance(made, Input):
-                waiting += (made.a, made.b)
-    return sorted(found)
 
 
 def _uses(

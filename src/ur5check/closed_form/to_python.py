@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .infix import description, right_hand_side
-from .program import Program
+from .program import Program, read_input
 
 __all__ = ["to_python"]
 
@@ -58,7 +58,6 @@ def to_python(program: Program, *, head: Sequence[str] = ()) -> str:
 
 def _read(name: str) -> str:
     """An input from the joint arrays: `c2` is np.cos(q[..., 1])."""
-    kind = name.rstrip("0123456789")
-    place = int(name.removeprefix(kind)) - 1
+    kind, joint = read_input(name)
     functions = {"c": "np.cos(q[..., {}])", "s": "np.sin(q[..., {}])"}
-    return functions.get(kind, kind + "[..., {}]").format(place)
+    return functions.get(kind, kind + "[..., {}]").format(joint)

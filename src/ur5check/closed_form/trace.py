@@ -15,18 +15,19 @@ from typing import Literal
 
 from ..arm.serial_arm import SerialArm
 from ..dynamics.chain import Chain, chain_of
-from ..dynamics.vectors import Scalar, Vector
+from ..dynamics.vectors import ZERO, Scalar, Vector
 from ..errors import UsageError
 from .assembly import assemble
 from .factoring import factored
-from .graph import Graph, Node
-from .program import Program
-from .quantities import QUANTITIES, Asked, Quantity, symbolic_state
+from .graph import Graph
+from .nodes import Node
+from .program import Operations, Program
+from .quantities import QUANTITIES, Asked, Quantity, Recipe, symbolic_state
 from .regroup import regroupings
 from .sums import Line, cost, lines_of
 from .symbols import Symbols
 
-__all__ = ["Parameters", "trace", "trace_difference"]
+__all__ = ["Parameters", "as_written", "trace", "trace_difference"]
 
 Parameters = Literal["numeric", "symbolic"]
 
@@ -50,9 +51,7 @@ def trace(
 
     Raises UsageError for a quantity that there is none of.
     """
-    if quantity not in QUANTITIES:
-        raise UsageError(f"no quantity {quantity!r}; choose one of {', '.join(QUANTITIES)}")
-    recipe = QUANTITIES[quantity]
+    recipe = _recipe(quantity)
     graph = Graph()
     symbols = Symbols(graph)
     if parameters == "symbolic":
@@ -71,6 +70,19 @@ def trace(
         shape=recipe.shape(arm.n),
         parameters=symbols.values,
     )
+
+
+def as_written(
+    arm: SerialArm, quantity: Quantity = "tau", *, parameters: Parameters = "numeric"
+) -> Operations:
+    """What the recursion costs as it is written, gravity carried along, each equal value once."""
+    graph = Graph(simplify=False)
+    symbols = Symbols(graph)
+    numeric = parameters == "numeric"
+    chain = chain_of(arm) if numeric else symbols.chain(arm)
+    gravity = Vector.of(arm.gravity) if numeric else symbols.gravity(arm)
+    asked = Asked(chain, symbolic_state(graph, arm.n), gravity=chain.base.T @ gravity, lift=ZERO)
+    return graph.operations(_recipe(quantity).entries(asked))
 
 
 def trace_difference(a: SerialArm, b: SerialArm) -> Program:
@@ -96,9 +108,15 @@ def trace_difference(a: SerialArm, b: SerialArm) -> Program:
     )
 
 
+def _recipe(quantity: Quantity) -> Recipe:
+    if quantity not in QUANTITIES:
+        raise UsageError(f"no quantity {quantity!r}; choose one of {', '.join(QUANTITIES)}")
+    return QUANTITIES[quantity]
+
+
 def _entries(graph: Graph, chain: Chain, gravity: Vector, quantity: Quantity) -> list[Scalar]:
     lift = (chain.base.T @ gravity) * -1.0
-    asked = Asked(chain, symbolic_state(graph, len(chain.links)), lift)
+    asked = Asked(chain, symbolic_state(graph, len(chain.links)), gravity=ZERO, lift=lift)
     return QUANTITIES[quantity].entries(asked)
 
 
