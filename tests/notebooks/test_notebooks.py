@@ -41,6 +41,16 @@ EXPECTED = {
             "m((3r)² + l²)·0.08333",
         ),
     ),
+    "06-referees": (
+        2,
+        (
+            "ur5check, Pinocchio, Drake and iDynTree hold the same robot",
+            "DART has added 2 kg",
+            "with the remedies within 1e-10 N m: True",
+            "all explained: True",
+            "16.1 N m too much, 28%",
+        ),
+    ),
 }
 
 
