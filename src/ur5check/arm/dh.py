@@ -2,6 +2,8 @@
 
 Standard convention, eq. (1) of the paper:  A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i).
 Modified (Craig's) convention:  A_i = Rot_x(α_{i−1}) Trans_x(a_{i−1}) Rot_z(θ_i) Trans_z(d_i).
+Before the first stands a fixed `base` and after the last a fixed `tool`; without them a table can
+only begin on the first axis and end on a common normal.
 """
 
 from __future__ import annotations
@@ -31,6 +33,7 @@ class DHRow:
         this vector out instead of deriving it from d and a may disagree with them: the recursion
         sees only r, so where `r` is given it stands in place of d and a (standard convention only).
     inertia : in the DH frame i
+    armature, damping, friction : see `Joint`
     """
 
     link: str
@@ -43,6 +46,9 @@ class DHRow:
     kind: Literal["revolute", "prismatic"] = "revolute"
     limits: Limits = field(default_factory=Limits)
     r: Array | None = field(default=None)
+    armature: float = 0.0
+    damping: float = 0.0
+    friction: float = 0.0
 
     def standard_far_end(self) -> Transform:
         """P_i of the standard convention."""
@@ -60,14 +66,18 @@ def arm_from_dh(
     *,
     convention: Literal["standard", "modified"] = "standard",
     gravity: Sequence[float] = STANDARD_GRAVITY,
+    base: Transform | None = None,
+    tool: Transform | None = None,
     source: Source | None = None,
 ) -> SerialArm:
     """The arm that a DH table describes.
 
+    base : pose of the table's frame 0 in the base frame;  tool : of the tip in the table's frame n
+
     Raises ValueError if a row carries `r` under the modified convention, where frame i sits at the
     near end of link i and r would mean something else.
     """
-    base = Transform.identity()
+    before = Transform.identity()
     far_ends = [row.standard_far_end() for row in rows]
     if convention == "modified":
         if any(row.r is not None for row in rows):
@@ -82,7 +92,7 @@ def arm_from_dh(
             Transform.rotation(_Z, row.offset) @ Transform.translation((0.0, 0.0, row.d))
             for row in rows
         ]
-        base = befores[0]
+        before = befores[0]
         far_ends = [
             after @ before
             for after, before in zip(afters, [*befores[1:], Transform.identity()], strict=True)
@@ -93,13 +103,21 @@ def arm_from_dh(
         if convention == "modified" and i + 1 < len(rows):
             source_frame = befores[i + 1].inverse()
             inertia = inertia.expressed_in(source_frame)
+        if tool is not None and i + 1 == len(rows):
+            far_end, source_frame = far_end @ tool, tool.inverse()
+            inertia = inertia.expressed_in(source_frame)
         links.append(Link(row.link, far_end, inertia, source_frame))
-    joints = [Joint(row.joint, np.array(_Z), row.kind, row.limits) for row in rows]
+    joints = [
+        Joint(
+            row.joint, np.array(_Z), row.kind, row.limits, row.armature, row.damping, row.friction
+        )
+        for row in rows
+    ]
     return SerialArm(
         name,
         tuple(joints),
         tuple(links),
-        base=base,
+        base=before if base is None else base @ before,
         gravity=np.asarray(gravity, dtype=np.float64),
         source=source or Source(),
     )

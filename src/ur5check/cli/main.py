@@ -30,8 +30,10 @@ COMMANDS = {
     "sweep": "the same at millions of states: how often, how much, where in the reach",
     "paper": "the paper's nine cases, and what came of each of its claims",
     "engines": "do Pinocchio, MuJoCo, Drake, DART, … mean the same robot; who is here",
+    "derive": "torques, M, C or g in closed form, as Python, C, SymPy or LaTeX",
     "show": "a model as ur5check understands it",
     "expand": "a xacro as the URDF that it stands for",
+    "convert": "a model written as URDF, MJCF or DH table",
     "export": "a package that hands an arm to Gazebo, torque-driven",
 }
 

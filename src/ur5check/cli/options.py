@@ -26,7 +26,10 @@ __all__ = [
     "progress",
 ]
 
-MODELS = "MODEL is paper, paper-listing, appendix, erd-ur5, or a .urdf, .xacro or DH .toml file."
+MODELS = (
+    "MODEL is paper, paper-listing, appendix, erd-ur5, or a .urdf, .xacro, .sdf, MJCF .xml or "
+    "DH .toml file."
+)
 
 
 # Options without a value that change what a report says.
@@ -172,6 +175,10 @@ def command_line(command: str, args: argparse.Namespace, models: tuple[str, ...]
         value = getattr(args, option, None)
         if value is not None:
             words += [f"--{option.replace('_', '-')}", str(value)]
+    for option in ("quantity", "to", "parameters"):
+        value = getattr(args, option, None)
+        if value is not None:
+            words += [f"--{option}", value]
     if getattr(args, "gravity", None) is not None:
         words += ["--gravity", *map(repr, args.gravity)]
     if getattr(args, "acceleration", None) is not None:

@@ -23,7 +23,7 @@ from .numbers import as_written, exact, triple
 from .settled import Pose, quaternion_pose, settled_inertia
 from .urdf import NO_LIMIT
 
-__all__ = ["mjcf_of"]
+__all__ = ["mjcf_of", "not_said"]
 
 _WORLD = "world"
 _NOTHING_ELSE = (
@@ -48,7 +48,7 @@ def mjcf_of(arm: SerialArm) -> str:
         [arm.source.base, *(link.name for link in arm.links)], "link", [_WORLD]
     )
     lines = ['<?xml version="1.0" encoding="utf-8"?>']
-    lines += [f"<!-- {xml_comment(line)} -->" for line in [*came_from(arm), *_not_said(arm)]]
+    lines += [f"<!-- {xml_comment(line)} -->" for line in [*came_from(arm), *not_said(arm)]]
     lines += [
         f"<mujoco model={quoteattr(arm.name.strip() or 'arm')}>",
         f"  {_NOTHING_ELSE}",
@@ -72,7 +72,8 @@ def mjcf_of(arm: SerialArm) -> str:
     return "\n".join([*lines, "  </worldbody>", "</mujoco>", ""])
 
 
-def _not_said(arm: SerialArm) -> list[str]:
+def not_said(arm: SerialArm) -> list[str]:
+    """What MJCF cannot carry, one line each."""
     rates = [
         f"{joint.name} {joint.limits.velocity:g}"
         for joint in arm.joints

@@ -19,7 +19,7 @@ from ..arm.serial_arm import Link
 from ..arm.transforms import Array, Transform, cos_sin
 from .numbers import roll_pitch_yaw
 
-__all__ = ["Pose", "quaternion_pose", "rpy_pose", "settled_inertia"]
+__all__ = ["Pose", "angle", "on_grid", "quaternion_pose", "rpy_pose", "settled_inertia"]
 
 _EPS = float(np.finfo(np.float64).eps)
 # Decimals of an angle [rad] and of a quaternion's component: 5e-16 is 2 ε, what one way costs.
@@ -46,11 +46,11 @@ class Pose:
     read: Transform
 
 
-def rpy_pose(T: Transform) -> Pose:
+def rpy_pose(T: Transform, decimals: int = _DECIMALS) -> Pose:
     """For a format that turns by roll, pitch and yaw."""
 
     def write(R: Array) -> Numbers:
-        return tuple(_angle(value) for value in roll_pitch_yaw(R))
+        return tuple(angle(value, decimals) for value in roll_pitch_yaw(R))
 
     return _pose(T, write, lambda turn: Transform.from_rpy((0.0, 0.0, 0.0), turn).R)
 
@@ -86,11 +86,11 @@ def _pose(
     return Pose(tuple(map(float, T.p)), turn, Transform(read(turn), T.p))
 
 
-def _angle(value: float) -> float:
-    """A multiple of π/2 keeps all its digits: with fewer it would be none."""
+def angle(value: float, decimals: int = _DECIMALS) -> float:
+    """An angle [rad] on the grid; a multiple of π/2 keeps all its digits, or it would be none."""
     if 0.0 in cos_sin(value):
         return round(value / (np.pi / 2)) * (np.pi / 2)
-    return round(value, _DECIMALS)
+    return round(value, decimals)
 
 
 def _quaternion(R: Array) -> Numbers:
@@ -111,8 +111,13 @@ def _quaternion(R: Array) -> Numbers:
 
 def _at_joint(inertia: Inertia, far_end: Transform) -> Inertia:
     """Held at the far end, as held at the joint, without the rounding of the way."""
-    here = inertia.expressed_in(far_end)
-    length = max(float(np.abs(vector).max()) for vector in (inertia.com, here.com, far_end.p))
+    return on_grid(inertia.expressed_in(far_end), far_end)
+
+
+def on_grid(here: Inertia, way: Transform) -> Inertia:
+    """An inertia without the rounding that `way`, which took it here, has left in it."""
+    start = way.inverse().R @ (here.com - way.p)
+    length = max(float(np.abs(vector).max()) for vector in (start, here.com, way.p))
     largest = float(np.abs(here.tensor).max())
     return Inertia(
         here.mass, _on_grid(here.com, _MOVED * length), _on_grid(here.tensor, _MOVED * largest)

@@ -24,7 +24,7 @@ from .names import unique_names
 from .numbers import exact, triple
 from .settled import Pose, rpy_pose, settled_inertia
 
-__all__ = ["NO_LIMIT", "urdf_of"]
+__all__ = ["NO_LIMIT", "not_said", "urdf_of"]
 
 #: Where a number is demanded and not known: the largest double.
 NO_LIMIT = sys.float_info.max
@@ -40,7 +40,7 @@ def urdf_of(arm: SerialArm) -> str:
     # URDF lets a link and a joint share a name; Pinocchio then has two frames of that name.
     names = unique_names([arm.source.base, *(link.name for link in arm.links)], "link", joints)
     lines = ['<?xml version="1.0" encoding="utf-8"?>']
-    lines += [f"<!-- {xml_comment(line)} -->" for line in _header(arm)]
+    lines += [f"<!-- {xml_comment(line)} -->" for line in [*came_from(arm), *not_said(arm)]]
     lines += [
         f"<robot name={quoteattr(arm.name.strip() or 'arm')}>",
         f"  <link{_named(names[0])}/>",
@@ -53,8 +53,9 @@ def urdf_of(arm: SerialArm) -> str:
     return "\n".join([*lines, "</robot>", ""])
 
 
-def _header(arm: SerialArm) -> list[str]:
-    lines = came_from(arm)
+def not_said(arm: SerialArm) -> list[str]:
+    """What URDF cannot carry, or must say though nobody knows it, one line each."""
+    lines = []
     if not np.array_equal(arm.gravity, STANDARD_GRAVITY):
         lines.append(
             f"URDF cannot carry gravity: this arm's is ({triple(arm.gravity)}) m/s² in the frame "

@@ -4,6 +4,9 @@
     name = "paper"
     convention = "standard"            # or "modified" (Craig's)
     gravity = [0.0, 0.0, -9.81]        # in the base frame [m/s²]; may be left out
+    base = { xyz = [0.0, 0.0, 0.1], rpy = [0.0, 0.0, 0.0] }   # of frame 0 in the base frame; and
+    tool = { xyz = [0.0, 0.0, 0.0], rpy = [0.0, 0.0, 3.14] }  # of the tip in frame n: both may
+                                       # be left out, [m] and [rad], turns as in a URDF
 
     [[joint]]                          # one table a row, base to tip
     joint = "shoulder_pan_joint"
@@ -16,7 +19,8 @@
     inertia = { ixx = 0.0169, iyy = 0.0169, izz = 0.00666 }   # about com, DH axes [kg m²]
 
 A row may also give `kind` ("prismatic"), `offset` [rad], `r` (see `DHRow`), `limits` (lower, upper,
-velocity, effort) and products of inertia ixy, ixz, iyz (else zero).  `title` at the top and
+velocity, effort), `armature`, `damping` and `friction` (see `Joint`), and products of inertia ixy,
+ixz, iyz (else zero).  `title` at the top and
 `source` in a row, a table of texts that says where the numbers come from, are for people.
 """
 
@@ -28,7 +32,16 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from ..arm import STANDARD_GRAVITY, DHRow, Inertia, Limits, SerialArm, Source, arm_from_dh
+from ..arm import (
+    STANDARD_GRAVITY,
+    DHRow,
+    Inertia,
+    Limits,
+    SerialArm,
+    Source,
+    Transform,
+    arm_from_dh,
+)
 from ..errors import ModelError
 from .dh_values import Table
 from .physical import Place, check_inertia, printed_tensor
@@ -38,9 +51,10 @@ __all__ = ["SCHEMA", "read_dh"]
 
 SCHEMA = "ur5check.dh/1"
 
-_TOP = ("schema", "name", "title", "convention", "gravity", "joint")
+_TOP = ("schema", "name", "title", "convention", "gravity", "base", "tool", "joint")
 _NEEDED = ("joint", "link", "d", "a", "alpha", "mass", "com", "inertia")
-_ROW = (*_NEEDED, "kind", "offset", "r", "limits", "source")
+_MOTOR = ("armature", "damping", "friction")
+_ROW = (*_NEEDED, "kind", "offset", "r", "limits", *_MOTOR, "source")
 _MOMENTS, _PRODUCTS = ("ixx", "iyy", "izz"), ("ixy", "ixz", "iyz")
 _LIMITS = ("lower", "upper", "velocity", "effort")
 
@@ -76,6 +90,8 @@ def read_dh(data: bytes, *, file: str) -> SerialArm:
         rows,
         convention=cast(Literal["standard", "modified"], convention),
         gravity=gravity,
+        base=_pose(top, "base"),
+        tool=_pose(top, "tool"),
         source=Source(
             "dh",
             ((file, hashlib.sha256(data).hexdigest()),),
@@ -140,7 +156,30 @@ def _row(table: Table, convention: str, *, last: bool) -> DHRow:
         kind=cast(Literal["revolute", "prismatic"], kind),
         limits=_limits(table),
         r=np.array(table.vector("r", metres=True)) if "r" in given else None,
+        **{key: _loss(table, key) for key in _MOTOR if key in given},
     )
+
+
+def _loss(table: Table, key: str) -> float:
+    value = float(table.number(key))
+    if value < 0.0:
+        table.fail(
+            key, "is negative", "a motor takes energy, it gives none: write it positive", value
+        )
+    return value
+
+
+def _pose(top: Table, key: str) -> Transform | None:
+    if key not in top.values:
+        return None
+    table = top.table(key, ("xyz", "rpy"))
+    table.require("xyz", "rpy")
+    rpy = table.vector("rpy", metres=False)
+    if max(map(abs, rpy)) > 2 * np.pi:
+        table.fail(
+            "rpy", "is beyond a full turn: it looks like degrees", "write radians", list(rpy)
+        )
+    return Transform.from_rpy(table.vector("xyz", metres=True), rpy)
 
 
 def _inertia(table: Table, *, last: bool) -> Inertia:
