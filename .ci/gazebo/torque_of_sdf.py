@@ -1,6 +1,6 @@
 """Does Gazebo's reading of a URDF weigh what ours does?
 
-    torque_of_sdf.py MODEL FILE.sdf
+    torque_of_sdf.py MODEL FILE.sdf [TOLERANCE]
 
 FILE.sdf is what libsdformat made of the exported URDF: the way that Gazebo takes.  Drake reads it,
 with a libsdformat of its own, and its gravity torques are held against ur5check's for MODEL.
@@ -20,11 +20,11 @@ from pydrake.multibody.plant import MultibodyPlant
 import ur5check
 
 STATES = 200
-# A weight's lever is summed over seven bodies; libsdformat prints every number in 17 digits.
+# [N m]: a lever summed over seven bodies; libsdformat prints every number in 16 digits.
 TOLERANCE = 1e-11
 
 
-def main(model: str, file: str) -> None:
+def main(model: str, file: str, tolerance: str = str(TOLERANCE)) -> None:
     """Print the largest difference [N m]; leave with 1 if it is too large."""
     logging.getLogger("drake").setLevel(logging.ERROR)  # that Drake knows no self_collide
     arm = ur5check.load(model)
@@ -44,7 +44,7 @@ def main(model: str, file: str) -> None:
         tau = -plant.CalcGravityGeneralizedForces(context)[places]
         worst = max(worst, float(np.abs(tau - ur5check.gravity_torque(arm, q)).max()))
     sys.stdout.write(f"{file}: gravity torques of {model} differ by at most {worst:.1e} N m\n")
-    if worst > TOLERANCE:
+    if worst > float(tolerance):
         raise SystemExit(f"{file}: weighs something else than {model}")
 
 

@@ -9,8 +9,10 @@ import pytest
 from lxml import etree
 
 import ur5check
+from examples import random_arm
 from ur5check.errors import ModelError
 from ur5check.export.numbers import exact
+from ur5check.export.urdf import NO_LIMIT, urdf_of
 from ur5check.handover.gazebo_model import GazeboModel, gazebo_model
 from ur5check.sources.catalog import lookup
 from ur5check.sources.packages import PackageMap, default_packages
@@ -156,3 +158,43 @@ def test_meshes_come_along_and_two_of_a_name_stay_two(tmp_path: Path):
     names = [m.get("filename") for m in etree.fromstring(model.urdf.encode()).iter("mesh")]
     assert names == [f"package://p/{inside}" for inside in read]
     assert any("'hand' has no collision here" in note for note in model.notes)
+
+
+def mass_of(text: str, link: str) -> str:
+    return etree.fromstring(text.encode()).find(f"link[@name='{link}']/inertial/mass").get("value")
+
+
+@pytest.mark.parametrize("root", ["torso", "world"])
+def test_a_base_that_gazebo_would_drop_is_given_mass(root):
+    """With the whole arm; whether the file brings a world of its own or not."""
+    text = TORSO.replace('"torso"', f'"{root}"').replace(
+        '"lean" type="revolute"', '"l" type="fixed"'
+    )
+    bare = text.replace(f'<link name="shoulder">{BODY}', '<link name="shoulder">')
+    model = model_of(swinging_arm(bare))
+    assert mass_of(model.urdf, {"torso": "torso", "world": "shoulder"}[root]) == "1"
+    assert any("bears on no torque" in note for note in model.notes)
+    arm, again = (
+        read_urdf(t.encode(), file="t", base="shoulder", tip="hand") for t in (bare, model.urdf)
+    )
+    tau = ur5check.gravity_torque(arm, [0.3])
+    assert ur5check.gravity_torque(again, [0.3]) == pytest.approx(tau, rel=1e-14)
+
+
+def test_a_base_that_has_mass_keeps_it():
+    model = model_of(ur5check.load("appendix"))
+    assert float(mass_of(model.urdf, "base_link")) == 4.0
+    assert not any("bears on no torque" in note for note in model.notes)
+
+
+def test_no_limit_is_written_as_sdformat_writes_it():
+    """The largest double in 16 digits, as SDFormat prints it, is out of range when read again."""
+    arm = random_arm(4, seed=0)  # knows no limits; a sliding joint must have them
+    assert any(joint.kind == "prismatic" for joint in arm.joints)
+    described = read_urdf(urdf_of(arm).encode(), file="written")
+    assert exact(NO_LIMIT) in described.source.urdf
+    model = model_of(described)
+    for text in (model.urdf, model.limited):
+        assert exact(NO_LIMIT) not in text
+        limits = etree.fromstring(text.encode()).iterfind("joint/limit")
+        assert max(abs(float(x)) for limit in limits for x in limit.attrib.values()) == 1e16

@@ -4,6 +4,8 @@ What Gazebo would do with the file as it is, and what is done about it:
 
 - its base would fall over: the root is fixed to a link named `world`, which Gazebo knows;
 - joints outside the arm would swing: they are fixed where ur5check holds them still;
+- a base without mass would be dropped with the whole arm: it is given some, which nobody feels;
+- "no limit", written as the largest double, would be out of range: it is written as SDFormat does;
 - two control plugins would fight: transmissions and control plugins are left out, the package
   brings its own;
 - a moving link without mass would be dropped, and all that hangs on it: it is refused.
@@ -25,7 +27,6 @@ from ..arm import SerialArm, Transform
 from ..arm.transforms import Array
 from ..errors import ModelError
 from ..export.numbers import exact, roll_pitch_yaw, triple
-from ..export.urdf import NO_LIMIT
 from ..sources.packages import PackageMap
 from ..sources.urdf_chain import Chain
 from ..sources.urdf_robot import Robot
@@ -37,6 +38,9 @@ from .package_meshes import take_meshes
 __all__ = ["GazeboModel", "gazebo_model"]
 
 _CONTROL = ("ros_control", "ros2_control")
+_NO_LIMIT = "1e16"  # SDFormat's own default for a bound that is not given
+_BALL = """<link><inertial><mass value="1"/>
+  <inertia ixx="0.004" ixy="0" ixz="0" iyy="0.004" iyz="0" izz="0.004"/></inertial></link>"""
 _OF_A_MOVING_JOINT = (
     "axis", "calibration", "dynamics", "limit", "mimic", "origin", "safety_controller",
 )  # fmt: skip
@@ -72,6 +76,8 @@ def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: st
     _refuse_massless(arm, file)
     notes = [*_without_control(root), *_held_still(root, robot, chain)]
     _fix_to_world(root, robot, file)
+    notes += _weighty_base(root, robot, chain)
+    _write_no_limit(root)
     meshes, unread = take_meshes(root, package=package, packages=packages, folder=Path(file).parent)
     limited = copy.deepcopy(root)
     _limit(limited, chain)
@@ -144,6 +150,34 @@ def _fix_to_world(root: Element, robot: Robot, file: str) -> None:
     root.insert(0, etree.Element("link", name="world"))
 
 
+def _weighty_base(root: Element, robot: Robot, chain: Chain) -> list[str]:
+    """Give mass to what is fixed to the world and has none: 1 kg in a ball of 0.1 m."""
+    top = robot.tree.root
+    fixed = [edge for edge in robot.tree.below[top] if edge not in chain.moving]
+    heads = [edge.child for edge in fixed] if top == "world" else [top]
+    notes = []
+    for head in heads:
+        ways = robot.tree.rigid_group(head, chain)
+        bodies = (robot.inertia(way[-1].child if way else head) for way in ways)
+        if any(body is not None and body.mass > 0.0 for body in bodies):
+            continue
+        link = next(node for node in root.iterchildren("link") if node.get("name") == head)
+        link.extend(etree.fromstring(_BALL))
+        notes.append(
+            f"Link {head!r} has no mass, so Gazebo would drop it and all that hangs on it. Here it "
+            "weighs 1 kg; being fixed to the world, it bears on no torque."
+        )
+    return notes
+
+
+def _write_no_limit(root: Element) -> None:
+    """SDFormat reads the largest double in 16 digits, which is more than the largest double."""
+    for limit in root.iterfind("joint/limit"):
+        for key, text in limit.attrib.items():
+            if abs(float(text)) > float(_NO_LIMIT):
+                limit.set(key, f"-{_NO_LIMIT}" if float(text) < 0.0 else _NO_LIMIT)
+
+
 def _limit(root: Element, chain: Chain) -> None:
     """Hold every turning joint of the arm within half a turn either way."""
     kinds = {edge.joint: edge.kind for edge in chain.moving}
@@ -153,9 +187,7 @@ def _limit(root: Element, chain: Chain) -> None:
             continue
         limit = joint.find("limit")
         if limit is None:
-            limit = etree.SubElement(
-                joint, "limit", effort=exact(NO_LIMIT), velocity=exact(NO_LIMIT)
-            )
+            limit = etree.SubElement(joint, "limit", effort=_NO_LIMIT, velocity=_NO_LIMIT)
         joint.set("type", "revolute")
         if kind == "continuous":
             lower, upper = -HALF_TURN, HALF_TURN

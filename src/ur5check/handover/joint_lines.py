@@ -56,7 +56,7 @@ def joint_blanks(
             f"  <xacro:effort_joint name={quoteattr(name)}/>" for name in names
         ),
         "joints_spawned": "\n              ".join(
-            f"-J {escape(shlex.quote(name))} {exact(q)}" for name, q in placed
+            f"-J {_argument(name)} {exact(q)}" for name, q in placed
         ),
         # both
         "table": "\n".join(
@@ -73,6 +73,11 @@ def yaml_list(values: Sequence[float]) -> str:
 
 def _controller(number: int) -> str:
     return f"joint{number}_effort_controller"
+
+
+def _argument(text: str) -> str:
+    """A word of a command line, inside an XML attribute."""
+    return escape(shlex.quote(text), {'"': "&quot;"})
 
 
 def _text(text: str) -> str:

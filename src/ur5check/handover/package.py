@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
-from xml.sax.saxutils import escape, quoteattr
+from xml.sax.saxutils import escape
 
 from ..arm import SerialArm
 from ..arm.transforms import Array
@@ -73,45 +73,53 @@ def gazebo_handover(
     """
     start = start_angles(arm.joints, pose)
     described = _as_urdf(arm, file)
+    tau = gravity_torque(described, start)
     name = _ros_name(arm.name)
     model = gazebo_model(described, package=f"{name}_gazebo", packages=packages, file=file)
-    tau = gravity_torque(described, start)
-    notes = (*_turned(arm, pose, start), *model.notes)
+    notes = (*_turned(arm, pose, start), *_unsaid(arm), *model.notes)
     blanks = {
+        **_blanks(described, name, model),
         **joint_blanks(described.joint_names, start, tau.tolist()),
+        "model": escape(arm.name),
+        "licence": escape(f"BSD-2-Clause; the model: {licence}"),
+    }
+    provenance = _provenance(arm, command)
+    files: dict[str, bytes] = {}
+    for one in (chosen := sorted(ros, reverse=True)):
+        package = _package(f"ros{one}", name, model, blanks, provenance)
+        files |= {f"ros{one}/{name}_gazebo/{path}": data for path, data in package.items()}
+    files["README.md"] = _readme(chosen, blanks, notes, provenance).encode()
+    programs = frozenset(path for path in files if "/scripts/" in path)
+    return GazeboHandover(files, programs, start, tau, notes)
+
+
+def _blanks(described: SerialArm, name: str, model: GazeboModel) -> dict[str, str]:
+    """What stands once in a package: names, frames, gravity."""
+    folders = ["config", "launch", *(["meshes"] if model.meshes else []), "urdf", "worlds"]
+    return {
         "version": __version__,
         "package": f"{name}_gazebo",
         "stem": name,
         "namespace": NAMESPACE,
-        "n": str(arm.n),
-        "model_xml": escape(arm.name),
-        "model_md": arm.name,
-        "model_py": json.dumps(name),
-        "model_arg": name,
-        "model_attr": quoteattr(name),
-        "licence": escape(f"BSD-2-Clause; the model: {licence}"),
-        "base_yaml": json.dumps(described.source.base),
-        "tip_yaml": json.dumps(described.source.tip),
+        "n": str(described.n),
+        "base": json.dumps(described.source.base),
+        "tip": json.dumps(described.source.tip),
         "gravity": yaml_list(described.gravity.tolist()),
         "world_gravity": triple(model.gravity),
-        "folders": " ".join(
-            ["config", "launch", *(["meshes"] if model.meshes else []), "urdf", "worlds"]
-        ),
-        "notes": "".join(f"\n- {note}" for note in notes),
+        "folders": " ".join(folders),
         "ground_and_sun": fill("common/ground_and_sun.xml", {}).rstrip("\n"),
     }
-    provenance = _provenance(arm, command)
-    files: dict[str, bytes] = {}
-    chosen = sorted(ros, reverse=True)
-    for one in chosen:
-        within = f"ros{one}/{name}_gazebo"
-        package = _package(f"ros{one}", name, model, blanks, provenance)
-        files |= {f"{within}/{path}": content for path, content in package.items()}
-    blanks["distributions"] = " and for ".join(_DISTRIBUTIONS[one] for one in chosen)
-    blanks["how_to"] = "".join(fill(f"common/how_to_ros{one}.md", blanks) for one in chosen)
-    files["README.md"] = fill("common/README.md", blanks, provenance).encode()
-    programs = frozenset(path for path in files if "/scripts/" in path)
-    return GazeboHandover(files, programs, start, tau, notes)
+
+
+def _readme(
+    ros: Sequence[Ros], blanks: dict[str, str], notes: Iterable[str], provenance: Sequence[str]
+) -> str:
+    own = {
+        "distributions": " and for ".join(_DISTRIBUTIONS[one] for one in ros),
+        "how_to": "".join(fill(f"common/how_to_ros{one}.md", blanks) for one in ros),
+        "notes": "".join(f"\n- {note}" for note in notes),
+    }
+    return fill("common/README.md", blanks | own, provenance)
 
 
 def _as_urdf(arm: SerialArm, file: str) -> SerialArm:
@@ -150,6 +158,14 @@ def _turned(arm: SerialArm, pose: Sequence[float], start: Sequence[float]) -> li
         "the same posture, which the limited model can hold too."
         for joint, q, at in zip(arm.joints, pose, start, strict=True)
         if at != q
+    ]
+
+
+def _unsaid(arm: SerialArm) -> list[str]:
+    if not arm.armature.any():
+        return []
+    return [
+        "Motor inertia is left out: URDF cannot carry it, so the arm is too light to turn here."
     ]
 
 
