@@ -42,7 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def measure(blocks: int, repeats: int) -> dict[str, float]:
     """Seconds a state, of each part of the way of one block."""
     plan = ur5check.sweep("paper", "appendix", states=100, over=1.0).plan
-    plan = replace(plan, sample=RandomSample(plan.sample.box, _MANY, 0), map_every=16)
+    plan = replace(plan, sample=RandomSample(plan.sample.box, _MANY, 0), map_every=64)
     sobol = SobolSample(plan.sample.box, _MANY, 0)
     sobol.block(0)  # its direction numbers are made once
     difference = torque_difference(plan.a, plan.b)
@@ -54,7 +54,7 @@ def measure(blocks: int, repeats: int) -> dict[str, float]:
         f"torques of both arms ({difference.engine})": lambda k: difference.of(
             states.q, states.qd, states.qdd
         ),
-        "tool position, every 16th": lambda k: plan.cells_of(states),
+        "tool position, every 64th": lambda k: plan.cells_of(states),
         "tally": lambda k: _tally(plan, delta, states, cell),
         "(numbers, Sobol)": sobol.block,
     }

@@ -45,6 +45,14 @@ def test_merging_is_the_same_in_any_order_and_grouping(whole):
     assert tally_value(merged(halves)) == digits(whole)
 
 
+def test_merging_changes_none_of_the_parts(whole):
+    parts = [whole.plan.tally(k, k + 1) for k in range(3)]
+    before = [tally_value(part) for part in parts]
+    merged(parts)
+    parts[0].merge(parts[1])
+    assert [tally_value(part) for part in parts] == before
+
+
 def test_of_equal_maxima_the_earlier_state_is_kept(whole):
     tally = whole.plan.tally(0, 1)
     later = whole.plan.tally(0, 1)

@@ -97,7 +97,7 @@ def test_the_map_of_a_long_sweep_sees_every_so_many_state(paper, appendix):
 
 @pytest.mark.parametrize(
     ("count", "sample", "every"),
-    [(10**6, "random", 1), (5 * 10**6, "random", 5), (10**9, "sobol", 16), (10**9, "grid", 1)],
+    [(10**6, "random", 1), (5 * 10**6, "random", 5), (10**9, "sobol", 64), (10**9, "grid", 1)],
 )
 def test_a_map_wants_a_million_states_and_of_a_grid_all(found, count, sample, every):
     kinds = {

@@ -38,13 +38,11 @@ RELATIVE_ERROR = 2.0 ** -(_MANTISSA + 1)
 
 
 def count_sizes(sizes: Array) -> Counts:
-    """Histograms of n rows of sizes, shape (n, N), none negative: counts of shape (n, BINS)."""
-    n = len(sizes)
+    """The histogram of sizes, shape (N,), none negative: counts of shape (BINS,)."""
     bins = np.clip(sizes, _BELOW, _HIGHEST).view(np.int64)
     bins >>= _SHIFT
-    # Each row gets bins of its own, so that one count serves all.
-    bins += (np.arange(n) * BINS - _FIRST)[:, None]
-    return np.bincount(bins.ravel(), minlength=n * BINS).reshape(n, BINS)
+    bins -= _FIRST
+    return np.bincount(bins, minlength=BINS)
 
 
 def bin_edges() -> Array:

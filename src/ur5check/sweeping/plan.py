@@ -26,7 +26,7 @@ __all__ = ["Plan", "plan_of"]
 
 #: A map wants a million states, not a billion: the tool's position costs as much as the tally.
 _MAP_STATES = 1_000_000
-_MAP_EVERY = 16
+_MAP_EVERY = 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +93,7 @@ def plan_of(pair: Pair, sample: Sample, over: ArrayLike | None) -> Plan:
     of = sample.description()
     box = of.get("box") or box_value(state_box(pair, 0.0))
     travel = np.abs([box["lower"], box["upper"]]).max(axis=0)
-    # Of a grid, every sixteenth posture might be one and the same angle of a joint.
+    # Of a grid, every so-many-th posture might be one and the same angle of a joint.
     every = 1 if of["kind"] == "grid" else min(max(sample.count // _MAP_STATES, 1), _MAP_EVERY)
     return Plan(
         _bare(pair.a),

@@ -6,13 +6,14 @@ Its size is part of what "the same states" means, and no option changes it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arm.states import States
-from ..arm.transforms import Array
 from ..worst_case.state_box import StateBox
 
 __all__ = ["BLOCK", "GridSample", "RandomSample", "Sample", "blocks_of", "box_value", "in_box"]
@@ -54,12 +55,14 @@ class RandomSample:
     seed: int
 
     def block(self, k: int) -> States:
-        n = len(self.box.lower)
         philox = np.random.Philox(key=np.array([self.seed, k], np.uint64))
-        words = philox.random_raw(3 * n * BLOCK // 2).astype("<u8", copy=False).view("<u4")
-        # The middle of the raster's cells; a short last block is the beginning of a whole one.
-        rows = words.reshape(3 * n, BLOCK)[:, : _length(self, k)]
-        return in_box(self.box, rows, raster=2.0**-32)
+        length = _length(self, k)  # a short last block is the beginning of a whole one
+
+        def row(_: int) -> NDArray[np.uint32]:
+            words = philox.random_raw(BLOCK // 2).astype("<u8", copy=False).view("<u4")
+            return words[:length]
+
+        return in_box(self.box, row, length, raster=2.0**-32)
 
     def description(self) -> dict[str, Any]:
         return {"kind": "random", "seed": self.seed, "box": box_value(self.box)}
@@ -95,13 +98,20 @@ class GridSample:
         return {"kind": "grid", "levels": self.levels, "box": box}
 
 
-def in_box(box: StateBox, rows: Array, *, raster: float) -> States:
-    """States from 3 n rows of whole numbers 0 … 1/raster − 1, each standing for a cell's middle."""
+def in_box(
+    box: StateBox, row: Callable[[int], NDArray[Any]], count: int, *, raster: float
+) -> States:
+    """`count` states from 3 n rows of whole numbers 0 … 1/raster − 1, asked for one by one.
+
+    A number stands for the middle of its cell.
+    """
     n = len(box.lower)
     lower = np.concatenate([box.lower, -box.rate, -box.acceleration])
     width = np.concatenate([box.upper - box.lower, 2.0 * box.rate, 2.0 * box.acceleration])
-    values = np.multiply(rows, (width * raster)[:, None])
-    values += (lower + 0.5 * raster * width)[:, None]
+    values = np.empty((3 * n, count))
+    for i, value in enumerate(values):
+        np.multiply(row(i), width[i] * raster, out=value)
+        value += lower[i] + 0.5 * raster * width[i]
     return States(values[:n].T, values[n : 2 * n].T, values[2 * n :].T)
 
 

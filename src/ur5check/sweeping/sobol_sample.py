@@ -41,8 +41,8 @@ class SobolSample:
         gray = start ^ (start >> 1)
         chosen = [b for b in range(_BITS) if gray >> b & 1]
         jump = np.bitwise_xor.reduce(directions[:, chosen], axis=1)
-        words = first[:, : min(BLOCK, self.count - start)] ^ jump[:, None]
-        return in_box(self.box, words, raster=2.0**-_BITS)
+        length = min(BLOCK, self.count - start)
+        return in_box(self.box, lambda i: first[i, :length] ^ jump[i], length, raster=2.0**-_BITS)
 
     def description(self) -> dict[str, Any]:
         return {"kind": "sobol", "seed": self.seed, "box": box_value(self.box)}

@@ -7,9 +7,9 @@ and machines may bring their blocks in any grouping and order.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import reduce
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from ..arm.states import States
 from ..arm.transforms import Array
 from ..errors import StateError
 from .exact import exact
-from .magnitudes import Counts, count_sizes
+from .magnitudes import BINS, Counts, count_sizes
 
 __all__ = ["Tally", "merged", "tally_of"]
 
@@ -45,8 +45,12 @@ class Tally:
     visits: Counts
     reach: Array
 
-    def merge(self, other: Tally) -> Tally:
-        """Both together."""
+    def merge(self, other: Tally, *, spend: bool = False) -> Tally:
+        """Both together.
+
+        spend : write into this one's large arrays, so that it is no more; fresh memory for every
+            block would cost as much as the counting
+        """
         theirs = (other.maximum > self.maximum) | (
             (other.maximum == self.maximum) & (other.worst < self.worst)
         )
@@ -56,16 +60,20 @@ class Tally:
             np.where(theirs, other.maximum, self.maximum),
             np.where(theirs, other.worst, self.worst),
             np.where(theirs[:, None, None], other.worst_states, self.worst_states),
-            self.bins + other.bins,
+            np.add(self.bins, other.bins, out=self.bins if spend else None),
             self.over + other.over,
             self.visits + other.visits,
-            np.maximum(self.reach, other.reach),
+            np.maximum(self.reach, other.reach, out=self.reach if spend else None),
         )
 
 
 def merged(tallies: Iterable[Tally]) -> Tally:
-    """All of them together; at least one."""
-    return reduce(Tally.merge, tallies)
+    """All of them together; at least one.  None of them is changed."""
+    rest = iter(tallies)
+    total, ours = next(rest), False
+    for tally in rest:
+        total, ours = total.merge(tally, spend=ours), True
+    return total
 
 
 def tally_of(
@@ -78,7 +86,7 @@ def tally_of(
     cells: int,
     every: int,
 ) -> Tally:
-    """The record of one block: few passes over rows that stay in the cache.
+    """The record of one block, a joint at a time: few passes over a row that stays in the cache.
 
     delta : Δτ, shape (N, n) [N m];  first : index of the block's first state
     over : the limit per joint, shape (n,) [N m]; None if none was asked for
@@ -86,28 +94,27 @@ def tally_of(
 
     Raises StateError for a difference that is no finite number.
     """
-    rows = np.ascontiguousarray(delta.T)  # one row a joint
-    n, count = rows.shape
-    sizes = np.abs(rows)
-    where = sizes.argmax(axis=1)  # the first of equal ones, and of those that are no number
-    squares = np.square(rows).sum(axis=1)
-    if not np.isfinite(squares).all():
-        j = int(np.flatnonzero(~np.isfinite(squares))[0])
-        raise StateError(
-            f"state {first + int(where[j])}: the torque difference of joint {j + 1} is "
-            f"{rows[j, where[j]]} N m, beyond all computing; look at this state's numbers"
-        )
-    reach = np.zeros((n, cells))
-    for found, size in zip(reach, sizes[:, ::every], strict=True):
-        np.maximum.at(found, cell, size)
+    count, n = delta.shape
+    squares = []
+    where, passed = np.zeros(n, np.int64), np.zeros(n, np.int64)
+    maximum, bins, reach = np.zeros(n), np.zeros((n, BINS), np.int64), np.zeros((n, cells))
+    for j in range(n):
+        sizes = np.abs(delta[:, j])
+        where[j] = sizes.argmax()  # the first of equal ones; or what is no number
+        maximum[j] = sizes[where[j]]
+        square = float(np.square(sizes).sum())
+        if not math.isfinite(square):
+            raise StateError(
+                f"state {first + int(where[j])}: the torque difference of joint {j + 1} is "
+                f"{delta[where[j], j]} N m, beyond all computing; look at this state's numbers"
+            )
+        squares.append(exact(square))
+        bins[j] = count_sizes(sizes)
+        if over is not None:
+            passed[j] = np.count_nonzero(sizes > over[j])
+        np.maximum.at(reach[j], cell, sizes[::every])
+    worst_states = np.stack([part[where] for part in (states.q, states.qd, states.qdd)], axis=1)
+    visits = np.bincount(cell, minlength=cells)
     return Tally(
-        count,
-        tuple(exact(float(total)) for total in squares),
-        sizes[np.arange(n), where],
-        first + where.astype(np.int64),
-        np.stack([part[where] for part in (states.q, states.qd, states.qdd)], axis=1),
-        count_sizes(sizes),
-        np.zeros(n, np.int64) if over is None else (sizes > over[:, None]).sum(axis=1),
-        np.bincount(cell, minlength=cells),
-        reach,
+        count, tuple(squares), maximum, first + where, worst_states, bins, passed, visits, reach
     )
