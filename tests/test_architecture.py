@@ -36,19 +36,22 @@ MAY_IMPORT = {
     "explanation": {
         "arm", "comparison", "plausibility", "identifiability", "digits", "diagnosis", "worst_case",
     },
+    "simulation": {"arm", "dynamics", "engines", "comparison", "parity", "errors", "version"},
+    "control": {"arm", "sources", "engines", "simulation", "errors"},
     "paper": {
-        "arm", "sources", "dynamics", "engines", "comparison", "diagnosis", "digits", "errors",
+        "arm", "sources", "dynamics", "engines", "comparison", "diagnosis", "digits", "simulation",
+        "control", "errors",
     },
-    "figures": {"arm", "paper", "errors"},
+    "figures": {"arm", "paper", "simulation", "errors"},
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
     "reports": {
         "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
-        "worst_case", "sweeping", "explanation", "paper", "checks", "engines", "parity",
-        "errors", "version",
+        "worst_case", "sweeping", "closed_form", "explanation", "paper", "checks", "engines", "parity",
+        "simulation", "errors", "version",
     },
     "cli": {
         "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
-        "export", "figures", "handover", "sweeping", "parity", "closed_form",
+        "export", "figures", "handover", "sweeping", "parity", "closed_form", "simulation",
         "reports", "errors", "version",
     },
 }  # fmt: skip

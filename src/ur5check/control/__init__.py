@@ -1,0 +1,1 @@
+"""Making an arm follow: trajectories, computed torque, and what a wrong model or sign costs."""

@@ -1,0 +1,68 @@
+"""Computed torque: the model's dynamics turn wanted accelerations into torques (paper, eqs 16–28).
+
+    τ = M(θ) K + C(θ, θ̇) θ̇ + g(θ)                                                      (17)
+
+which is inverse dynamics of the acceleration K.  Whatever engine holds the model can be asked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..engines.engine import Engine
+from ..errors import UsageError
+from .gains import Gains
+from .law import FeedbackLaw
+from .trajectory import Reference
+
+__all__ = ["ComputedTorque", "effort_limits"]
+
+
+@dataclass(frozen=True, eq=False)
+class ComputedTorque:
+    """The controller.
+
+    model : an engine that holds the arm which the controller believes in
+    gains : K_p, K_i, K_d
+    law : which form of the feedback, see `law`
+    limits : the most that each joint is given, either way, shape (n,) [N m]; None: whatever it asks
+
+    A torque at its limit is cut off there, joint by joint.  The integral goes on growing meanwhile
+    (there is no anti-windup): limits that act for long show as overshoot.
+    """
+
+    model: Engine
+    gains: Gains
+    law: FeedbackLaw = FeedbackLaw.RIGHT
+    limits: Array | None = None
+
+    def acceleration(self, wanted: Reference, q: Array, qd: Array, integral: Array) -> Array:
+        """K, shape (n,) [rad/s²]; `integral` is ∫e dt [rad s]."""
+        e, ed = wanted.q - q, wanted.qd - qd
+        feedback = self.gains.kp @ e + self.gains.ki @ integral + self.gains.kd @ ed
+        ahead = wanted.qdd if self.law.feeds_forward else np.zeros_like(e)
+        return np.asarray(ahead + self.law.sign * feedback)
+
+    def torque(self, wanted: Reference, q: Array, qd: Array, integral: Array) -> Array:
+        """τ, shape (n,) [N m], within the limits."""
+        K = self.acceleration(wanted, q, qd, integral)
+        tau = self.model.inverse_dynamics(q, qd, K)
+        return tau if self.limits is None else np.clip(tau, -self.limits, self.limits)
+
+
+def effort_limits(arm: SerialArm) -> Array:
+    """What the arm's joints can give, shape (n,) [N m].
+
+    Raises UsageError if the arm's source does not say it of every joint.
+    """
+    for joint in arm.joints:
+        if not joint.limits.effort:
+            raise UsageError(
+                f"joint {joint.name!r} of {arm.name!r} has no effort limit; take the limits of "
+                "another arm, or track without limits"
+            )
+    return np.array([joint.limits.effort for joint in arm.joints], dtype=np.float64)

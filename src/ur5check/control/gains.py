@@ -1,0 +1,53 @@
+"""Feedback gains, as full matrices (paper, eqs 24–26)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arm.transforms import Array, frozen
+from ..errors import UsageError
+
+__all__ = ["Gains"]
+
+
+@dataclass(frozen=True, eq=False)
+class Gains:
+    """K_p [1/s²], K_i [1/s³] and K_d [1/s], each of shape (n, n): row i is joint i's acceleration.
+
+    Raises UsageError for matrices that are not square, not of one size, or not finite.
+    """
+
+    kp: Array
+    ki: Array
+    kd: Array
+
+    def __post_init__(self) -> None:
+        n = np.shape(self.kp)[0] if np.ndim(self.kp) else 0
+        for name in ("kp", "ki", "kd"):
+            matrix = np.asarray(getattr(self, name), dtype=np.float64)
+            if matrix.shape != (n, n) or n == 0:
+                raise UsageError(
+                    f"{name} has shape {matrix.shape}; give three square matrices of one size, "
+                    "one row and one column a joint"
+                )
+            if not np.isfinite(matrix).all():
+                raise UsageError(f"{name} must hold finite numbers only")
+            object.__setattr__(self, name, frozen(matrix, (n, n)))
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.kp)
+
+    @classmethod
+    def diagonal(cls, kp: ArrayLike, ki: ArrayLike, kd: ArrayLike) -> Gains:
+        """Joints that know nothing of each other; each gain of shape (n,)."""
+        return cls(*(np.diag(np.atleast_1d(np.asarray(gain, float))) for gain in (kp, ki, kd)))
+
+    @classmethod
+    def triple_pole(cls, n: int, rate: float) -> Gains:
+        """All three poles of every joint's error at −rate [1/s]: (s + rate)³, without overshoot."""
+        return cls(3.0 * rate**2 * np.eye(n), rate**3 * np.eye(n), 3.0 * rate * np.eye(n))

@@ -1,0 +1,85 @@
+"""Where an arm should be: position, velocity and acceleration at any instant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arm.transforms import Array, frozen
+from ..errors import UsageError
+
+__all__ = ["Quintic", "Reference", "Trajectory"]
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """Wanted q [rad], q̇ [rad/s] and q̈ [rad/s²], each of shape (..., n)."""
+
+    q: Array
+    qd: Array
+    qdd: Array
+
+
+class Trajectory(Protocol):
+    """A motion of n joints over `duration` seconds; before and after it, it rests at its ends."""
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        ...
+
+    @property
+    def duration(self) -> float:
+        """[s]"""
+        ...
+
+    def at(self, t: ArrayLike) -> Reference:
+        """At instants of shape (...) [s], arrays of shape (..., n)."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Quintic:
+    """From rest to rest, without a jump of acceleration: q = start + s(t/T) (goal − start).
+
+    s(x) = 10 x³ − 15 x⁴ + 6 x⁵ has s′ = s″ = 0 at both ends (Siciliano et al. 2009, §4.2.1).
+
+    start, goal : shape (n,) [rad];  duration : T [s]
+
+    Raises UsageError for ends of different length, numbers that are not finite, or a T that is not
+    positive.
+    """
+
+    start: Array
+    goal: Array
+    duration: float
+
+    def __post_init__(self) -> None:
+        start, goal = (np.asarray(end, dtype=np.float64) for end in (self.start, self.goal))
+        if start.ndim != 1 or start.shape != goal.shape:
+            raise UsageError(
+                f"start has shape {start.shape} and goal {goal.shape}; give both one number a joint"
+            )
+        if not (np.isfinite(start).all() and np.isfinite(goal).all()):
+            raise UsageError("start and goal must be finite numbers")
+        if not (np.isfinite(self.duration) and self.duration > 0.0):
+            raise UsageError(f"the duration must be a positive time, not {self.duration:g} s")
+        object.__setattr__(self, "start", frozen(start, start.shape))
+        object.__setattr__(self, "goal", frozen(goal, goal.shape))
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.start)
+
+    def at(self, t: ArrayLike) -> Reference:
+        """See `Trajectory`."""
+        x = np.clip(np.asarray(t, dtype=np.float64)[..., None] / self.duration, 0.0, 1.0)
+        way, T = self.goal - self.start, self.duration
+        s = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
+        sd = 30.0 * x**2 * (1.0 - x) ** 2 / T
+        sdd = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / T**2
+        return Reference(self.start + s * way, sd * way, sdd * way)

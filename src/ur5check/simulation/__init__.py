@@ -1,0 +1,1 @@
+"""Arms that move: our own integrator and two physics engines, and whether they agree."""

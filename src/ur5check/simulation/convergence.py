@@ -1,0 +1,168 @@
+"""Do the engines move the same arm?  At a finite step none is right; at step zero all must agree.
+
+Each integrator follows the same motion with steps halved again and again.  Its error against a
+reference of our own (DOP853 at the tightest tolerance) must fall with the step at the integrator's
+order p.  The states themselves then have an expansion in the step,
+
+    q(h) = q(0) + c_p hᵖ + c_{p+1} hᵖ⁺¹ + …
+
+whose terms Richardson's extrapolation removes one after the other (Hairer et al. 1993, II.9).  What
+is left is what the engine's *equations of motion* say, whoever integrates them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from .admission import admit
+from .flight import Say, integrated, silent, stepped
+from .integration import REFERENCE
+from .torques import Held
+
+__all__ = ["HALVINGS", "OWN_HALVINGS", "Convergence", "Refinement", "convergence", "extrapolated"]
+
+#: Steps of an engine: 2⁻⁷ … 2⁻¹³ s, from 8 ms down to an eighth of a millisecond.
+HALVINGS = range(7, 14)
+#: Our own integrator is of order 8: it meets rounding with a few hundred steps a second.
+OWN_HALVINGS = range(6, 10)
+
+
+@dataclass(frozen=True, eq=False)
+class Refinement:
+    """One integrator with ever smaller steps.
+
+    order : what its authors say
+    dt : shape (L,) [s], each half of the one before
+    q : where the arm is at the end, shape (L, n) [rad]
+    error : largest joint error against the reference, shape (L,) [rad]
+    limit : q extrapolated to step zero, shape (n,) [rad]
+    limit_error : largest joint error of the limit against the reference [rad]
+    """
+
+    engine: str
+    integrator: str
+    order: int
+    dt: Array
+    q: Array
+    error: Array
+    limit: Array
+    limit_error: float
+
+    @property
+    def measured_order(self) -> Array:
+        """log₂ of how much each halving gains, shape (L − 1,)."""
+        return np.asarray(np.log2(self.error[:-1] / self.error[1:]))
+
+
+@dataclass(frozen=True, eq=False)
+class Convergence:
+    """One motion by every integrator.
+
+    seconds : its length;  turned : how far the joint that turned most has turned [rad]
+    reference_error : of the reference, from one at a looser tolerance [rad]
+    """
+
+    arm: SerialArm
+    seconds: float
+    turned: float
+    reference_error: float
+    refinements: tuple[Refinement, ...]
+
+    @property
+    def apart(self) -> float:
+        """Largest distance between any two limits, or a limit and the reference [rad]."""
+        limits = np.array([refinement.limit for refinement in self.refinements])
+        spread = np.ptp(limits, axis=0).max()
+        return float(max(spread, *(r.limit_error for r in self.refinements)))
+
+
+def convergence(
+    arm: SerialArm,
+    q: ArrayLike,
+    tau: ArrayLike,
+    *,
+    seconds: float = 1.0,
+    engines: Sequence[str] = ("mujoco", "dart"),
+    halvings: Sequence[int] = HALVINGS,
+    own_halvings: Sequence[int] = OWN_HALVINGS,
+    say: Say = silent,
+) -> Convergence:
+    """Let go of `arm` at `q`, at rest, under constant torques, by every integrator of the engines.
+
+    q, tau : shape (n,) [rad], [N m]
+    engines : keys, see `admission.STEPPERS`
+    halvings, own_halvings : k for steps of seconds · 2⁻ᵏ, in a row; empty: without our own
+
+    Constant torques keep the equations smooth: a torque that is recomputed once a step would bring
+    an error of first order of its own.  Raises as `admit` does.
+    """
+    start, held = np.asarray(q, dtype=np.float64), Held(np.asarray(tau, dtype=np.float64))
+    rest, ends = np.zeros(arm.n), np.array([0.0, seconds])
+    say("the reference: DOP853 at its tightest tolerance")
+    reference = integrated(arm, held, start, rest, ends, precision=REFERENCE).q[-1]
+    looser = integrated(arm, held, start, rest, ends).q[-1]
+
+    def engine_ends() -> Iterator[tuple[str, str, int, Array, list[Array]]]:
+        if own_halvings:
+            say("our own integrator with fixed steps")
+            dt = seconds * 2.0 ** -np.array(own_halvings, dtype=np.float64)
+            last = [integrated(arm, held, start, rest, ends, step=h).q[-1] for h in dt]
+            yield "ur5check", "DOP853", 8, dt, last
+        dt = seconds * 2.0 ** -np.array(halvings, dtype=np.float64)
+        for key in engines:
+            engine = admit(key, arm).engine
+            for name, order in engine.integrators.items():
+                say(f"{engine.name}, {name}")
+                last = [
+                    stepped(
+                        engine, held, start, rest,
+                        dt=h, steps=2**k, integrator=name, every=2**k,
+                    ).q[-1]
+                    for h, k in zip(dt, halvings, strict=True)
+                ]  # fmt: skip
+                yield engine.name, name, order, dt, last
+
+    refinements = tuple(
+        _refinement(engine, name, order, dt, np.array(last), reference)
+        for engine, name, order, dt, last in engine_ends()
+    )
+    return Convergence(
+        arm,
+        seconds,
+        float(np.abs(reference - start).max()),
+        float(np.abs(reference - looser).max()),
+        refinements,
+    )
+
+
+def extrapolated(q: Array, order: int) -> Array:
+    """The limit for step zero of q(h), shape (L, n), each row of half the step of the one before.
+
+    order : p of the first term of the expansion; each column removes one more term.
+    """
+    column = np.asarray(q)
+    for p in range(order, order + len(q) - 1):
+        column = column[1:] + (column[1:] - column[:-1]) / (2.0**p - 1.0)
+    return np.asarray(column[-1])
+
+
+def _refinement(
+    engine: str, integrator: str, order: int, dt: Array, q: Array, reference: Array
+) -> Refinement:
+    limit = extrapolated(q, order)
+    return Refinement(
+        engine,
+        integrator,
+        order,
+        dt,
+        q,
+        np.abs(q - reference).max(axis=1),
+        limit,
+        float(np.abs(limit - reference).max()),
+    )

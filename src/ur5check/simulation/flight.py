@@ -1,0 +1,123 @@
+"""An arm let go: our own equations of motion under DOP853, or an engine step by step.
+
+Either way out comes a `Motion`, so that what follows need not know who moved the arm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..engines.engine import Stepper
+from ..errors import EngineError
+from .acceleration import acceleration_of
+from .integration import WORKING, Precision, integrate
+from .motion import Motion
+from .torques import TorqueSource
+from .travel import Travel
+
+__all__ = ["Say", "integrated", "silent", "stepped"]
+
+#: Takes a line of progress.
+Say = Callable[[str], None]
+
+
+def silent(line: str) -> None:
+    """No progress."""
+
+
+def integrated(
+    arm: SerialArm,
+    torque: TorqueSource,
+    q: Array,
+    qd: Array,
+    times: Array,
+    *,
+    travel: Travel | None = None,
+    precision: Precision = WORKING,
+    step: float | None = None,
+    say: Say = silent,
+) -> Motion:
+    """The motion by our own dynamics; torques follow the state continuously.
+
+    q, qd : where it starts, shape (n,) [rad], [rad/s];  times : shape (K,) [s], from 0
+    travel : the motion ends where a joint leaves it
+    step : fixed steps of this length [s] instead of a precision
+
+    The work is integrated beside the state, dW/dt = τ · q̇.  Raises as `integrate` does.
+    """
+    n, accelerate = arm.n, acceleration_of(arm)
+    reached = _Clock(float(times[-1]), say)
+
+    def rate(t: float, y: Array) -> Array:
+        reached(t)
+        q, qd = y[:n], y[n : 2 * n]
+        tau = torque(q, qd)
+        return np.concatenate([qd, accelerate(q, qd, tau), [tau @ qd]])
+
+    stop = None if travel is None else lambda t, y: travel.room(y[:n])
+    start = np.concatenate([q, qd, [0.0]])
+    t, y = integrate(rate, start, times, precision=precision, step=step, stop=stop)
+    q_t, qd_t = y[:, :n], y[:, n : 2 * n]
+    tau_t = np.array([torque(*state) for state in zip(q_t, qd_t, strict=True)])
+    return Motion(t, q_t, qd_t, tau_t, y[:, 2 * n], stopped=bool(t[-1] < times[-1]))
+
+
+def stepped(
+    engine: Stepper,
+    torque: TorqueSource,
+    q: Array,
+    qd: Array,
+    *,
+    dt: float,
+    steps: int,
+    integrator: str | None = None,
+    every: int = 1,
+    travel: Travel | None = None,
+    say: Say = silent,
+) -> Motion:
+    """The motion by an engine's own integrator; a torque is held during each step.
+
+    dt : the step [s];  every : how many steps lie between the instants that are kept
+    integrator : one of `engine.integrators`, the engine's default when None
+    travel : the motion ends with the step in which a joint leaves it
+
+    A torque held over a step does the work τ · Δq, exactly.  Raises EngineError if the engine's
+    state stops being finite.
+    """
+    reached = _Clock(steps * dt, say)
+    work, kept = 0.0, []
+    for k in range(steps + 1):
+        tau = torque(q, qd)
+        stopped = travel is not None and travel.room(q) < 0.0
+        if k % every == 0 or k == steps or stopped:
+            kept.append((k * dt, q, qd, tau, work))
+        if k == steps or stopped:
+            break
+        reached(k * dt)
+        q_next, qd_next = engine.step(q, qd, tau, dt, integrator)
+        if not (np.isfinite(q_next).all() and np.isfinite(qd_next).all()):
+            raise EngineError(
+                f"{engine.name} lost the arm after {k * dt:.4g} s: its state is no longer finite; "
+                "take a smaller step"
+            )
+        work += float(tau @ (q_next - q))
+        q, qd = q_next, qd_next
+    t, q_t, qd_t, tau_t, work_t = (np.array(column) for column in zip(*kept, strict=True))
+    return Motion(t, q_t, qd_t, tau_t, work_t, stopped)
+
+
+class _Clock:
+    """Says every tenth of the way that has been reached, once."""
+
+    def __init__(self, end: float, say: Say) -> None:
+        self._end, self._say, self._said = end, say, 0
+
+    def __call__(self, t: float) -> None:
+        tenth = int(10.0 * t / self._end)
+        if tenth > self._said:
+            self._said = tenth
+            self._say(f"{t:.2f} of {self._end:g} s")

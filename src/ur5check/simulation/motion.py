@@ -1,0 +1,77 @@
+"""What came of letting an arm move, and whether its energy adds up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..dynamics.equations import kinetic_energy, potential_energy
+
+__all__ = ["EnergyBalance", "Motion", "energy_balance"]
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """An arm at K instants.
+
+    t : shape (K,) [s], from 0
+    q, qd : shape (K, n) [rad], [rad/s]
+    tau : what the joints were given, shape (K, n) [N m]
+    work : of those torques since t = 0, shape (K,) [J]
+    stopped : whether it ended at a joint's end of travel
+    """
+
+    t: Array
+    q: Array
+    qd: Array
+    tau: Array
+    work: Array
+    stopped: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class EnergyBalance:
+    """T + U of the rigid bodies against the work that went in.
+
+    total : T + U − (T + U at t = 0), shape (K,) [J]
+    work : of the torques, shape (K,) [J]
+    turned_over : the largest of |ΔT|, |ΔU| and |work| on the way [J]: what an error is a part of
+    """
+
+    total: Array
+    work: Array
+    turned_over: float
+
+    @property
+    def error(self) -> Array:
+        """Energy that came from nowhere, shape (K,) [J]: the integrator's own."""
+        return np.asarray(self.total - self.work)
+
+    @property
+    def worst(self) -> float:
+        """The largest error on the way [J]."""
+        return float(np.abs(self.error).max())
+
+    @property
+    def relative(self) -> float:
+        """The largest error as a part of what was turned over; 0 for an arm that stayed still."""
+        return self.worst / self.turned_over if self.turned_over > 0.0 else 0.0
+
+
+def energy_balance(arm: SerialArm, motion: Motion) -> EnergyBalance:
+    """The balance of a motion, by the arm's own energies.
+
+    Both energies come from velocities and heights (`dynamics.equations`), not from the mass matrix
+    and the torques that moved the arm: two different calculations.
+    """
+    kinetic = kinetic_energy(arm, motion.q, motion.qd)
+    potential = potential_energy(arm, motion.q)
+    changes = (kinetic - kinetic[0], potential - potential[0], motion.work)
+    return EnergyBalance(
+        total=changes[0] + changes[1],
+        work=motion.work,
+        turned_over=max(float(np.abs(change).max()) for change in changes),
+    )

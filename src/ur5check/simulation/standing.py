@@ -1,0 +1,192 @@
+"""The paper's test 9: give the joints the torques that a model says hold the arm, and look.
+
+If the model is right, the arm stands; if it is not, it moves.  Torques are held as they were at the
+start, as the paper published them to Gazebo, or recomputed for the posture of every instant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..comparison.pair import Pair, pair_up
+from ..dynamics.batching import joint_array
+from ..dynamics.equations import gravity_torque
+from ..dynamics.kinematics import forward_kinematics
+from ..errors import UsageError
+from ..version import __version__
+from .admission import admit
+from .equilibrium import growth_rate
+from .flight import Say, integrated, silent, stepped
+from .integration import WORKING
+from .motion import EnergyBalance, Motion, energy_balance
+from .torques import Held, Recomputed, TorqueSource
+from .travel import travel_of
+
+__all__ = ["ENGINES", "STILL", "Mover", "Standing", "stand"]
+
+#: A UR5's data sheet promises to come back to a place within 0.1 mm: what moves less stands as
+#: still as the real arm can show [m].
+STILL = 1e-4
+
+#: Who may move the arm: our own integrator, and two physics engines.
+ENGINES = ("own", "mujoco", "dart")
+
+_KEPT = 5_000  # instants of a motion: every millisecond of five seconds
+_MOST_STEPS = 10_000_000  # minutes of work
+
+
+@dataclass(frozen=True)
+class Mover:
+    """Who moved the arm.
+
+    integrator : by name;  dt : its step [s], None where the step adapts
+    mended : what the engine would have held otherwise in the file as it is, in words
+    """
+
+    name: str
+    version: str
+    integrator: str
+    dt: float | None
+    mended: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Standing:
+    """What came of test 9.
+
+    pair : `a` the plant, `b` the model whose torques it was given, in the plant's coordinates
+    held : whether the torques were held, otherwise recomputed
+    seconds : how long the arm was to be watched
+    motion : of the plant, up to `seconds` or to a joint's end of travel
+    needed : g(q) of the plant at the start, shape (n,) [N m]
+    tool_drift : how far the tool is from where it started, shape (K,) [m]
+    growth : how fast a small error grows under constant torques [1/s], see `growth_rate`
+    energy : the plant's own balance
+    """
+
+    pair: Pair
+    mover: Mover
+    held: bool
+    seconds: float
+    motion: Motion
+    needed: Array
+    tool_drift: Array
+    growth: float
+    energy: EnergyBalance
+
+    @property
+    def given(self) -> Array:
+        """The torques at the start, shape (n,) [N m]."""
+        return np.asarray(self.motion.tau[0])
+
+    @property
+    def joint_drift(self) -> Array:
+        """How far each joint is from where it started, shape (K, n) [rad]."""
+        return np.asarray(self.motion.q - self.motion.q[0])
+
+    @property
+    def still_angle(self) -> float:
+        """The angle that moves the tool of the stretched arm by STILL [rad]."""
+        return STILL / float(sum(np.linalg.norm(link.far_end.p) for link in self.pair.a.links))
+
+    @property
+    def left_after(self) -> float | None:
+        """The first instant at which the arm is seen to have moved [s]; None if it stands."""
+        angle = np.abs(self.joint_drift).max(axis=1)
+        away = np.flatnonzero((self.tool_drift > STILL) | (angle > self.still_angle))
+        return float(self.motion.t[away[0]]) if len(away) else None
+
+    @property
+    def stands(self) -> bool:
+        """Whether neither the tool nor a joint moved as far as could be seen."""
+        return self.left_after is None
+
+
+def stand(
+    plant: SerialArm,
+    model: SerialArm,
+    q: ArrayLike,
+    *,
+    engine: str = "own",
+    held: bool = True,
+    seconds: float = 5.0,
+    dt: float = 1e-3,
+    integrator: str | None = None,
+    say: Say = silent,
+) -> Standing:
+    """Give `plant` the torques that hold `model` at `q`, and follow what it does.
+
+    Parameters
+    ----------
+    plant : the arm that moves
+    model : the arm whose torques it is given; its joint angles and base are mapped to the plant's
+        as `comparison` finds them (`pair_up`)
+    q : where the plant starts, at rest, shape (n,) [rad]
+    engine : "own", "mujoco" or "dart"
+    held : whether the torques stay those of the start, otherwise g(q) of the model at each step
+    dt, integrator : of a physics engine, its step [s] and integrator (its default when None); our
+        own integrator chooses its steps itself
+
+    Raises
+    ------
+    UsageError : an option without meaning, or a pose beyond a joint limit
+    StateError : a q of the wrong length
+    EngineError : an engine that is not here, or that would simulate another arm
+    """
+    pair = pair_up(plant, model)
+    q_0 = joint_array(plant, "q", q).astype(np.float64)
+    if q_0.ndim != 1:
+        raise UsageError(f"one posture is simulated at a time, not an array of shape {q_0.shape}")
+    _refuse_times(seconds, dt)
+    travel = travel_of(plant, q_0)
+    torque: TorqueSource = Held(gravity_torque(pair.b, q_0)) if held else Recomputed(pair.b)
+    rest, steps = np.zeros(plant.n), round(seconds / dt)
+    if engine == "own":
+        if integrator is not None:
+            raise UsageError("an integrator is chosen for mujoco or dart; our own is DOP853")
+        mover = Mover("ur5check", __version__, f"DOP853, rtol {WORKING.rtol:g}", None)
+        times = np.linspace(0.0, seconds, min(steps, _KEPT) + 1)
+        motion = integrated(plant, torque, q_0, rest, times, travel=travel, say=say)
+    else:
+        admitted = admit(engine, plant)
+        stepper = admitted.engine
+        chosen = integrator or next(iter(stepper.integrators))
+        if chosen not in stepper.integrators:
+            known = ", ".join(stepper.integrators)
+            raise UsageError(f"{stepper.name} has no integrator {chosen!r}; choose from {known}")
+        mover = Mover(stepper.name, stepper.version, chosen, dt, admitted.mended)
+        motion = stepped(
+            stepper, torque, q_0, rest,
+            dt=dt, steps=steps, integrator=chosen,
+            every=max(1, steps // _KEPT), travel=travel, say=say,
+        )  # fmt: skip
+    tool = forward_kinematics(plant, motion.q)[:, :3, 3]
+    return Standing(
+        pair,
+        mover,
+        held,
+        seconds,
+        motion,
+        gravity_torque(plant, q_0),
+        np.linalg.norm(tool - tool[0], axis=1),
+        growth_rate(plant, q_0),
+        energy_balance(plant, motion),
+    )
+
+
+def _refuse_times(seconds: float, dt: float) -> None:
+    for name, value in (("seconds", seconds), ("step", dt)):
+        if not (np.isfinite(value) and value > 0.0):
+            raise UsageError(f"--{name} must be a positive number of seconds, not {value:g}")
+    if dt > seconds:
+        raise UsageError(f"a step of {dt:g} s does not fit into {seconds:g} s; take a smaller one")
+    if seconds / dt > _MOST_STEPS:
+        raise UsageError(
+            f"{seconds:g} s in steps of {dt:g} s are more than {_MOST_STEPS:,} steps; take larger "
+            "ones"
+        )

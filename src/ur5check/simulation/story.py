@@ -1,0 +1,99 @@
+"""What came of test 9, in sentences: the verdict first."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .standing import STILL, Standing
+
+__all__ = ["reason", "tell", "verdict"]
+
+
+def verdict(s: Standing) -> str:
+    """Stands or moves, in one sentence."""
+    plant, model = s.pair.a.name, s.pair.b.name
+    how = "held constant" if s.held else "recomputed at every step"
+    torques = f"the torques that hold {model}, {how}"
+    if s.stands:
+        return f"{plant} stands for {s.seconds:g} s under {torques}."
+    return f"{plant} moves under {torques}: its tool leaves its place after {_after(s)}."
+
+
+def tell(s: Standing) -> list[str]:
+    """What stands out, one sentence each."""
+    return [line for line in (_torque(s), _drift(s), _ended(s), _pencil(s), _energy(s)) if line]
+
+
+def reason(s: Standing) -> str:
+    """Why the threshold is where it is."""
+    return (
+        f"It stands if the tool stays within {1e3 * STILL:g} mm, the repeatability on a UR5's data "
+        f"sheet, and each joint within {np.degrees(s.still_angle):.2g}°, which moves the tool of "
+        "the stretched arm by as much."
+    )
+
+
+def _after(s: Standing) -> str:
+    left = 0.0 if s.left_after is None else s.left_after
+    return f"{1e3 * left:.0f} ms" if left < 1.0 else f"{left:.2f} s"
+
+
+def _torque(s: Standing) -> str:
+    gap = s.given - s.needed
+    worst = int(np.abs(gap).argmax())
+    if s.stands and np.abs(gap).max() <= 1e-9 * max(1.0, np.abs(s.needed).max()):
+        return "At the start the joints are given what they need, to the last digits."
+    turned = ", the wrong sign" if s.given[worst] * s.needed[worst] < 0.0 else ""
+    return (
+        f"At the start joint {worst + 1} is given {s.given[worst]:+.2f} N m where it needs "
+        f"{s.needed[worst]:+.2f} N m{turned}."
+    ).replace("-", "−")
+
+
+def _drift(s: Standing) -> str:
+    joints = np.degrees(np.abs(s.joint_drift[-1]))
+    worst = int(joints.argmax())
+    return (
+        f"At {s.motion.t[-1]:.3g} s the tool is {_millimetres(s.tool_drift[-1])} from where it "
+        f"was, and joint {worst + 1} has turned by {joints[worst]:.3g}°."
+    )
+
+
+def _ended(s: Standing) -> str:
+    if not s.motion.stopped:
+        return ""
+    limits = [joint.limits for joint in s.pair.a.joints]
+    ends = [
+        min(
+            np.inf if limit.lower is None else abs(q - limit.lower),
+            np.inf if limit.upper is None else abs(q - limit.upper),
+        )
+        for q, limit in zip(s.motion.q[-1], limits, strict=True)
+    ]
+    where = int(np.argmin(ends))
+    what = "its limit" if np.isfinite(ends[where]) else "a full turn"
+    return (
+        f"There joint {where + 1} has reached {what}, and the simulation ends: a real arm would "
+        "have met its stop."
+    )
+
+
+def _pencil(s: Standing) -> str:
+    if not s.held or s.growth == 0.0:
+        return ""
+    return (
+        "Under constant torques this posture is a pencil on its tip: any error grows by a factor e "
+        f"every {1.0 / s.growth:.2f} s."
+    )
+
+
+def _energy(s: Standing) -> str:
+    part = "" if s.stands else f" ({s.energy.relative:.0e} of what was turned over)"
+    return (
+        f"Energy that came from nowhere: at most {s.energy.worst:.2g} J{part}, the error of "
+        f"{s.mover.name}'s integrator."
+    )
+
+
+def _millimetres(metres: float) -> str:
+    return f"{1e3 * metres:.3g} mm"

@@ -1,0 +1,55 @@
+"""How far joints may go before a simulation has nothing more to say.
+
+Plants here have no stops, so that an arm under a wrong constant torque would spin ever faster.  A
+real one would have met its stop: the simulation ends where the first joint reaches the limit in
+the model, or, where the model names none, a full turn from the start.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..errors import UsageError
+
+__all__ = ["Travel", "travel_of"]
+
+_FULL_TURN = 2.0 * np.pi
+
+
+@dataclass(frozen=True, eq=False)
+class Travel:
+    """lower, upper : joint positions, shape (n,) [rad], between which the arm is followed."""
+
+    lower: Array
+    upper: Array
+
+    def room(self, q: Array) -> float:
+        """Distance of the joint that is nearest to its end [rad]; negative beyond it."""
+        return float(np.minimum(q - self.lower, self.upper - q).min())
+
+    def first_out(self, q: Array) -> int:
+        """Index of the joint that is nearest to its end."""
+        return int(np.minimum(q - self.lower, self.upper - q).argmin())
+
+
+def travel_of(arm: SerialArm, q: Array) -> Travel:
+    """The joints' limits; a full turn either way of `q`, shape (n,) [rad], where there are none.
+
+    Raises UsageError if the arm already is beyond a limit.
+    """
+    lower, upper = q - _FULL_TURN, q + _FULL_TURN
+    for i, joint in enumerate(arm.joints):
+        if joint.limits.lower is not None:
+            lower[i] = joint.limits.lower
+        if joint.limits.upper is not None:
+            upper[i] = joint.limits.upper
+        if not lower[i] < q[i] < upper[i]:
+            raise UsageError(
+                f"joint {joint.name!r} of {arm.name!r} starts at {q[i]:.4g} rad, which is not "
+                f"between its limits {lower[i]:.4g} and {upper[i]:.4g}; choose another pose"
+            )
+    return Travel(lower, upper)
