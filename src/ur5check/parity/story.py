@@ -39,6 +39,7 @@ def tell(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) -> tu
             for r in stage.unexplained
             if r.belief is not None
         ]
+    lines += [f"{r.refused}." for r in report.as_read.readings if r.refused is not None]
     lines += [_use(reading) for reading in report.as_read.readings]
     return tuple(line for line in lines if line)
 

@@ -15,7 +15,7 @@ from .wording import MISSING, figures, residue
 
 __all__ = ["engines_document"]
 
-_MOST_NAMES = 3
+_MOST_NAMES = 2
 
 
 def engines_document(
@@ -166,12 +166,11 @@ def _row(title: str, alike: Sequence[ImportDifference]) -> Row:
 def _places(alike: Sequence[ImportDifference]) -> str:
     names = [one.where for one in alike if one.where]
     if len(names) > _MOST_NAMES:
-        kind = names[0].partition(" ")[0]
-        return f"{len(names)} {kind}s"
+        return f"{len(names)} {names[0].partition(' ')[0]}s"
     return ", ".join(names) or "whole arm"
 
 
-def _short(text: str, most: int = 60) -> str:
+def _short(text: str, most: int = 40) -> str:
     return text if len(text) <= most else f"{text[: most - 1].rstrip(', ')} …"
 
 
