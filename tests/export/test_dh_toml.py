@@ -117,7 +117,7 @@ def test_axes_parallel_but_for_a_rounded_angle_are_refused():
     arm = planar_arm((0.4, 0.3, 0.2), (1.0, 1.0, 1.0))
     arm = arm.with_inertias([replace(x.inertia, tensor=0.01 * np.eye(3)) for x in arm.links])
     assert torques_agree(arm, read_dh(dh_toml_of(arm).encode(), file="written.toml"))
-    tilt = Transform.from_rpy((0.4, 0.0, 0.0), (1e-6, 0.0, 0.0))
+    tilt = Transform.from_rpy((0.4, 0.0, 0.0), (0.0, 0.0, 1e-6))
     tilted = replace(arm, links=(replace(arm.links[0], far_end=tilt), *arm.links[1:]))
     with pytest.raises(UsageError, match="'joint_0' and 'joint_1' are all but parallel"):
         dh_toml_of(tilted)

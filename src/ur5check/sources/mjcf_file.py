@@ -8,6 +8,7 @@ MuJoCo must make a body's mass of it; then the notes say so, and its hash is kep
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -47,20 +48,22 @@ def read_mjcf(
     """
     mujoco = _mujoco(file)
     text = MjcfText(data, file=file, folder=folder)
-    try:
-        spec = mujoco.MjSpec.from_string(text.text)
-    except ValueError as error:
-        raise text.said_by_mujoco(error) from None
-    name_all(spec)
-    motor, tied = motors(spec), couplings(spec, text)
-    model = _compiled(spec, text)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        try:
+            spec = mujoco.MjSpec.from_string(text.text)
+        except ValueError as error:
+            raise text.said_by_mujoco(error) from None
+        name_all(spec)
+        motor, tied = motors(spec), couplings(spec, text)
+        model = _compiled(spec, text)
     efforts = {name: m.effort for name, m in motor.items() if m.effort is not None}
     sites = [name for name in (base, tip) if name is not None and spec.body(name) is None]
     bodies = Bodies(spec, model, text, sites=sites, efforts=efforts)
     chain = chain_from_world(bodies.tree, base, tip)
     refuse_couplings(tied, bodies, chain)
     parts = assemble(bodies, chain)
-    notes = parts.notes
+    notes = parts.notes + tuple(f"MuJoCo says: {warning.message}" for warning in said)
     if bodies.weighed:
         shown = ", ".join(map(repr, dict.fromkeys(bodies.weighed)))
         notes += (f"mass and inertia made by MuJoCo's compiler, not written in the file: {shown}",)

@@ -86,9 +86,12 @@ class MjcfText:
         first, *rest = str(error).strip().splitlines()
         problem = re.sub(r"^((XML )?Error: )+", "", first)
         element = re.search(r"Element (?:name )?'([^']+)'", " ".join(rest))
+        remedy = "correct it; MuJoCo's XML reference says what is meant"
+        if "mjMINVAL" in problem:
+            remedy = "give the body an <inertial>, or shapes that weigh something"
         return ModelError(
             f"MuJoCo cannot take it: {problem}",
-            remedy="correct it; MuJoCo's own reference says what it means",
+            remedy=remedy,
             file=file,
             line=line,
             element=f"{element[1]!r}" if element else None,
