@@ -24,7 +24,7 @@ from .torques import TorqueDifference, torque_difference
 
 __all__ = ["Plan", "plan_of"]
 
-#: A map wants a million states, not a billion: the tool's position costs as much as the tally.
+#: A map wants a million states, not a billion: a tool's position costs several times its tally.
 _MAP_STATES = 1_000_000
 _MAP_EVERY = 64
 
