@@ -7,11 +7,11 @@ arm: its own mass matrix and bias are solved for the acceleration.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from importlib import metadata
 from typing import Any
 
-import idyntree.bindings as idyn
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -23,6 +23,12 @@ from .each_state import each_state
 from .holdings import HeldBody, Holdings
 from .said import listening
 from .urdf_text import text_for_engines
+
+with warnings.catch_warnings():
+    # SWIG's types warn of their own making as they are created, and crash the interpreter where
+    # warnings are errors.
+    warnings.simplefilter("ignore", DeprecationWarning)
+    import idyntree.bindings as idyn
 
 __all__ = ["IDynTreeEngine"]
 
