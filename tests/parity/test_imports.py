@@ -145,3 +145,13 @@ def test_default_gravity_costs_what_it_costs(arm):
     ).max()
     assert gravity.bears_on == "use"
     assert gravity.cost == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_rotation_that_turns_nothing_is_not_blamed(arm):
+    round_upper = arm.source.urdf.replace(
+        'ixx="0.01" ixy="0.001" ixz="0" iyy="0.03" iyz="0" izz="0.032"',
+        'ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"',
+    )
+    same = planted_engines.reread(arm, round_upper)
+    found = faults(audit(planted_engines.RotationDropped(same).holdings(), same))
+    assert {one.where for one in found} == {"link 'lower'", "link 'weight'"}

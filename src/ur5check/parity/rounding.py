@@ -12,7 +12,13 @@ import numpy as np
 from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array
 
-__all__ = ["parameter_rounding", "pose_rounding", "same_number", "torque_rounding"]
+__all__ = [
+    "parameter_rounding",
+    "pose_rounding",
+    "same_number",
+    "tensor_rounding",
+    "torque_rounding",
+]
 
 _PER_JOINT = 64 * float(np.finfo(np.float64).eps)
 
@@ -32,6 +38,11 @@ def parameter_rounding(arm: SerialArm, *parameters: Array) -> Array:
     mass = max(pi[0] for pi in parameters)
     moment = max(np.abs(pi[4:]).max() for pi in parameters) + mass * lever**2
     return np.asarray(_PER_JOINT * arm.n * np.repeat([mass, mass * lever, moment], [1, 3, 6]))
+
+
+def tensor_rounding(tensor: Array) -> float:
+    """Of a tensor turned there and back [kg m²]."""
+    return _PER_JOINT * float(np.abs(tensor).max())
 
 
 def pose_rounding(arm: SerialArm) -> float:

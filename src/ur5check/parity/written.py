@@ -18,6 +18,7 @@ from ..arm.inertia import Inertia
 from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array, Transform
 from .import_difference import Kind
+from .rounding import tensor_rounding
 from .shapes import inertia_of_shapes
 
 if TYPE_CHECKING:
@@ -128,7 +129,7 @@ def _misreadings(own: Inertia | None, node: _Element, pose: Transform) -> list[M
     found = [Misreading("body-lost", np.zeros(10), "nothing")]
     R = _written_rotation(node)
     unturned = Inertia(own.mass, own.com, R.T @ own.tensor @ R)
-    if not np.array_equal(R, np.eye(3)):
+    if np.abs(unturned.tensor - own.tensor).max() > tensor_rounding(own.tensor):
         parameters = unturned.expressed_in(pose).parameters()
         found.insert(0, Misreading("rotation-dropped", parameters, "the tensor not rotated"))
     return found

@@ -126,7 +126,7 @@ def _imports(report: EngineReport) -> Section:
         f"{explained}".strip(),
     )
     remedies = tuple(
-        f"{reading.title}: {habit.explanation} Remedy: {habit.remedy}."
+        f"{reading.title}: {habit.title}. {habit.explanation} Remedy: {habit.remedy}."
         for reading in report.as_read.readings
         if reading.imported is not None
         for habit in dict.fromkeys(one.habit for one in reading.imported.harmful)
