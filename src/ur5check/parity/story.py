@@ -151,7 +151,8 @@ def _use(reading: Reading) -> str:
     differ = [kind for kind in _LOST if kinds[kind]]
     lost = [k for k in differ if all(one.held in _NOTHING for one in _alike(reading, k))]
     other = [kind for kind in differ if kind not in lost]
-    notes = [f"keeps no {listed([_LOST[kind] for kind in lost])}"] if lost else []
+    without = listed([_LOST[kind] for kind in lost]).replace(" and ", " or ") if lost else ""
+    notes = [f"keeps no {without}"] if lost else []
     if other:
         notes.append(f"keeps other {listed([_LOST[kind] for kind in other])} than the file")
     notes += [words for kind, words in _NOTES.items() if kinds[kind]]
