@@ -76,8 +76,10 @@ FILES, FAULTS, CALLS = examples()
 
 
 def test_page_has_its_examples() -> None:
-    assert set(FILES) == {"pendulum.urdf", "pendulum.xacro", "pendulum.toml"}
-    assert len(FAULTS) >= 40
+    assert set(FILES) == {
+        "pendulum.urdf", "pendulum.xacro", "pendulum.xml", "pendulum.sdf", "pendulum.toml",
+    }  # fmt: skip
+    assert len(FAULTS) >= 80
     assert len(CALLS) >= 8
 
 

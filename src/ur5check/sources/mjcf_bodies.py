@@ -157,7 +157,9 @@ class Bodies:
     ) -> NoReturn:
         """Raise ModelError at a body or joint."""
         element = self._joints.get(name) if tag == "joint" else self._bodies.get(name)
-        file, line = self._text.place(element.info if element is not None else "")
+        # MuJoCo tells no line of a <freejoint>; its body's is near.
+        info = "" if element is None else element.info or element.parent.info
+        file, line = self._text.place(info)
         word = "body" if tag == "link" else tag
         raise ModelError(
             problem, remedy=remedy, file=file, line=line, element=f"{word} {name!r}{part}"

@@ -4,6 +4,9 @@ what they weigh as the file says."""
 from __future__ import annotations
 
 import hashlib
+import logging
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any, Literal, NoReturn
 
 import numpy as np
@@ -33,7 +36,8 @@ def read_sdf(
     `<inertial>`, a joint that is neither revolute nor prismatic, and where Drake refuses.
     """
     text = SdfText(data, file)
-    model = _Links(_parsed(text), text)
+    plant, said = _parsed(text)
+    model = _Links(plant, text)
     chain = chain_from_world(model.tree, base, tip)
     parts = assemble(model, chain)
     gravity, notes = text.gravity()
@@ -48,13 +52,13 @@ def read_sdf(
             ((file, hashlib.sha256(data).hexdigest()),),
             base=chain.base,
             tip=chain.tip,
-            notes=parts.notes + notes,
+            notes=parts.notes + notes + said,
         ),
     )
 
 
-def _parsed(text: SdfText) -> Any:
-    """Drake's plant."""
+def _parsed(text: SdfText) -> tuple[Any, tuple[str, ...]]:
+    """Drake's plant, and what Drake had to say."""
     try:
         from pydrake.multibody.parsing import Parser
         from pydrake.multibody.plant import MultibodyPlant
@@ -65,12 +69,29 @@ def _parsed(text: SdfText) -> Any:
             file=text.reader.file,
         ) from None
     plant = MultibodyPlant(0.0)
+    with _log_kept() as said:
+        try:
+            Parser(plant).AddModelsFromString(text.text, "sdf")
+            plant.Finalize()
+        except RuntimeError as error:
+            raise text.said_by_drake(error) from None
+    return plant, tuple(f"Drake says: {text.in_our_words(line)}" for line in said)
+
+
+@contextmanager
+def _log_kept() -> Iterator[list[str]]:
+    """What Drake warns of goes into the notes, not to stderr before or beside our own words."""
+    said: list[str] = []
+    logger, handler = logging.getLogger("drake"), logging.Handler(logging.WARNING)
+    handler.emit = lambda record: said.append(record.getMessage())  # type: ignore[method-assign]
+    before = logger.propagate
+    logger.addHandler(handler)
+    logger.propagate = False
     try:
-        Parser(plant).AddModelsFromString(text.text, "sdf")
-        plant.Finalize()
-    except RuntimeError as error:
-        raise text.said_by_drake(error) from None
-    return plant
+        yield said
+    finally:
+        logger.removeHandler(handler)
+        logger.propagate = before
 
 
 class _Links:

@@ -43,11 +43,14 @@ class SdfText:
         self.name = self.reader.name(self.model)
         self.links = self._named("link")
         self.joints = self._named("joint")
-        for name, link in self.links.items():
-            self.reader.child(link, "inertial", f"link {name!r}")
+        self._inertials = {
+            name: self.reader.child(link, "inertial", f"link {name!r}")
+            for name, link in self.links.items()
+        }
         for name, joint in self.joints.items():
             self._check_joint(name, joint)
-        for node in list(self.root.iter(*_NOT_READ)):
+        # Drake is asked for places only: it is not to judge, or warn of, what it is not asked for.
+        for node in list(self.root.iter("inertial", *_NOT_READ)):
             node.getparent().remove(node)
         gravity = None if self.world is None else self.world.find("gravity")
         self._gravity = gravity
@@ -69,7 +72,7 @@ class SdfText:
         """A moving link's inertia, in the link's frame.  Raises ModelError where a default of
         SDFormat would stand in for a number."""
         link, owner = self.links[name], f"link {name!r}"
-        inertial = self.reader.child(link, "inertial", owner)
+        inertial = self._inertials[name]
         if (link.findtext("gravity") or "true").strip().lower() in ("false", "0"):
             remedy = "remove <gravity>: no arm on earth has a link without weight"
             self.reader.fail(link, owner, "has its gravity switched off", remedy)
@@ -86,7 +89,8 @@ class SdfText:
         (mass,) = self._numbers(mass_node, f"{owner}/mass", 1)
         entries = {}
         for entry in _ENTRIES:
-            node = self._part(inertia_node, entry, f"{owner}/inertia", "a number of its own")
+            default = "1 kg m²" if entry[1] == entry[2] else "0"
+            node = self._part(inertia_node, entry, f"{owner}/inertia", default)
             (entries[entry],) = self._numbers(node, f"{owner}/inertia/{entry}", 1)
         tensor, rounding = printed_tensor(dict(entries))
         place = Place(self.reader.file, f"{owner}/", mass_node.sourceline, inertia_node.sourceline)
@@ -108,16 +112,21 @@ class SdfText:
 
     def said_by_drake(self, error: Exception) -> ModelError:
         """Drake's refusal in our words."""
-        said = " ".join(str(error).split())
+        said = str(error)
         found = re.search(r"\.sdf:(\d+)", said)
         node = self._places.at(int(found[1])) if found else None
-        said = re.sub(r"<literal-string>\.sdf(:\d+)?: *(error: *)?", "", said)
         return ModelError(
-            f"Drake cannot take it: {said}",
+            f"Drake cannot take it: {self.in_our_words(said)}",
             remedy="correct it; http://sdformat.org/spec says what is meant",
             file=self.reader.file,
             line=None if node is None else node.sourceline,
         )
+
+    @staticmethod
+    def in_our_words(said: str) -> str:
+        """One line, without the place in a text that nobody has seen."""
+        line = " ".join(said.split())
+        return re.sub(r"^(<[\w-]+>(\.sdf)?(:\d+)?: *)?((error|warning): *)?", "", line).rstrip(".")
 
     def _check_root(self) -> None:
         if self.root.tag != "sdf":
