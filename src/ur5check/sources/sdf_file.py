@@ -72,10 +72,22 @@ def _parsed(text: SdfText) -> tuple[Any, tuple[str, ...]]:
     with _log_kept() as said:
         try:
             Parser(plant).AddModelsFromString(text.text, "sdf")
+            _refuse_loops(plant, text)
             plant.Finalize()
         except RuntimeError as error:
             raise text.said_by_drake(error) from None
     return plant, tuple(f"Drake says: {text.in_our_words(line)}" for line in said)
+
+
+def _refuse_loops(plant: Any, text: SdfText) -> None:
+    """Before Drake does, which names neither joint nor link."""
+    moved_by: dict[str, str] = {}
+    for joint in map(plant.get_joint, plant.GetJointIndices()):
+        child, name = joint.child_body().name(), joint.name()
+        if child in moved_by:
+            problem = f"link {child!r} has two parents: joint {moved_by[child]!r} moves it already"
+            text.fail(text.joints[name], f"joint {name!r}", problem, "cut the loop at one joint")
+        moved_by[child] = name
 
 
 @contextmanager
@@ -171,11 +183,7 @@ class _Links:
         links = list(self._text.links)
         if any(edge.parent == _WORLD for edge in edges):
             links.insert(0, _WORLD)
-        children = [edge.child for edge in edges]
-        for edge in edges:
-            if children.count(edge.child) > 1:
-                problem = f"link {edge.child!r} has two parents"
-                self.fail("joint", edge.joint, "", problem, "cut the loop at one joint")
+        children = {edge.child for edge in edges}
         roots = [link for link in links if link not in children]
         if len(roots) != 1:
             shown = ", ".join(map(repr, roots[:6]))
