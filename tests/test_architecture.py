@@ -20,7 +20,7 @@ MAY_IMPORT = {
     "arm": {"errors"},
     "strategies": {"arm"},
     "export": {"arm", "errors", "version"},
-    "handover": {"arm", "sources", "dynamics", "export", "errors", "version"},
+    "handover": {"arm", "sources", "dynamics", "engines", "export", "errors", "version"},
     "sources": {"arm", "errors"},
     "dynamics": {"arm", "errors"},
     "engines": {"arm", "dynamics", "errors", "version"},
@@ -42,7 +42,7 @@ MAY_IMPORT = {
         "arm", "sources", "dynamics", "engines", "comparison", "diagnosis", "digits", "simulation",
         "control", "errors",
     },
-    "figures": {"arm", "paper", "simulation", "errors"},
+    "figures": {"arm", "dynamics", "paper", "simulation", "errors"},
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
     "reports": {
         "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
@@ -61,6 +61,8 @@ ENGINES = {
     "pinocchio": {"engines/pinocchio.py", "sources/pinocchio_model.py"},
     "mujoco": {"engines/mujoco.py", "sources/mjcf_file.py"},
     "pydrake": {"engines/drake.py", "sources/sdf_file.py"},
+    "dartpy": {"engines/dart.py"},
+    "idyntree": {"engines/idyntree.py"},
 }
 
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))

@@ -29,6 +29,7 @@ COMMANDS = {
     "diff": "what differs between two models, by how many newton metres, and why",
     "sweep": "the same at millions of states: how often, how much, where in the reach",
     "paper": "the paper's nine cases, and what came of each of its claims",
+    "simulate": "the paper's test 9: does an arm stand under a model's torques, or move",
     "engines": "do Pinocchio, MuJoCo, Drake, DART, … mean the same robot; who is here",
     "derive": "torques, M, C or g in closed form, as Python, C, SymPy or LaTeX",
     "show": "a model as ur5check understands it",

@@ -27,8 +27,8 @@ __all__ = [
 ]
 
 MODELS = (
-    "MODEL is paper, paper-listing, appendix, erd-ur5, or a .urdf, .xacro, .sdf, MJCF .xml or "
-    "DH .toml file."
+    "MODEL is paper, paper-listing, appendix, erd-ur5,\n"
+    "or a .urdf, .xacro, .sdf, MJCF .xml or DH .toml file."
 )
 
 

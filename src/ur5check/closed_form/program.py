@@ -136,26 +136,23 @@ class Program:
         if unknown := parameters.keys() - self.parameters.keys():
             raise StateError(f"{min(unknown)} is no parameter of this program; see its parameters")
         given = {"q": q, "qd": qd, "qdd": qdd}
+        arrays = {name: self._checked(name, given[name]) for name in self.arguments}
+        lead = np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))
         values: dict[str, Any] = {**self.parameters, **parameters}
-        for name in self.arguments:
-            values |= self._read(name, given[name])
+        for name in self.inputs:
+            kind, joint = read_input(name)
+            read = {"c": np.cos, "s": np.sin}.get(kind)
+            values[name] = read(arrays["q"][..., joint]) if read else arrays[kind][..., joint]
         for line in (*self.setup, *self.assignments):
             values[line.name] = _value(line, values)
-        entries = np.broadcast_arrays(
-            *(_value(line, values) for line in self.outputs),
-            *(values[name] for name in self.inputs),
-        )[: prod(self.shape)]
-        return np.stack(entries, axis=-1).reshape((*entries[0].shape, *self.shape))
+        entries = [np.broadcast_to(_value(line, values), lead) for line in self.outputs]
+        return np.stack(entries, axis=-1).reshape((*lead, *self.shape))
 
-    def _read(self, name: str, given: ArrayLike | None) -> dict[str, Any]:
+    def _checked(self, name: str, given: ArrayLike | None) -> NDArray[Any]:
         array = np.asarray(np.nan if given is None else given)
         if array.ndim == 0 or array.shape[-1] != self.n or array.dtype.kind not in "iufc":
             raise StateError(f"{name} must be an array of numbers of shape (..., {self.n})")
-        values = {f"{name}{i + 1}": array[..., i] for i in range(self.n)}
-        if name == "q":
-            values |= {f"c{i + 1}": np.cos(array[..., i]) for i in range(self.n)}
-            values |= {f"s{i + 1}": np.sin(array[..., i]) for i in range(self.n)}
-        return values
+        return array
 
 
 def _value(line: Assignment, values: Mapping[str, Any]) -> Any:

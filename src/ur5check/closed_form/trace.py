@@ -1,7 +1,7 @@
 """A quantity of an arm as a program: the recursion of `dynamics`, run once on symbols.
 
     program = trace(load("paper"), "tau")
-    program.operations          # 319 or so
+    program.operations          # 192 × and 135 +, 327 in all
     program.evaluate(q, qd, qdd)
 
 Three things keep the program short.  The scalars share and fold as the recursion goes (`graph`);
@@ -11,6 +11,7 @@ numbers that no torque sees are chosen to vanish (`regroup`); and what is left i
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 from ..arm.serial_arm import SerialArm
@@ -26,12 +27,13 @@ from .quantities import QUANTITIES, Asked, Quantity, Recipe, symbolic_state
 from .regroup import regroupings
 from .sums import Line, cost, lines_of
 from .symbols import Symbols
+from .vanishing import vanishing
 
 __all__ = ["Parameters", "as_written", "trace", "trace_difference"]
 
 Parameters = Literal["numeric", "symbolic"]
 
-_FINALISTS = 3  # regroupings that are factored before the best is chosen
+_FINALISTS = 3  # last finds that are factored, with the first, before the best is chosen
 
 
 def trace(
@@ -40,7 +42,7 @@ def trace(
     *,
     parameters: Parameters = "numeric",
     regroup: bool = True,
-    tries: int = 300,
+    tries: int = 200,
 ) -> Program:
     """The closed form of one quantity.
 
@@ -60,16 +62,25 @@ def trace(
         gravity = Vector.of(arm.gravity)
         regroup = regroup and quantity != "regressor"
         chain = _cheapest(arm, gravity, quantity, tries) if regroup else chain_of(arm)
-    return assemble(
-        graph,
-        _entries(graph, chain, gravity, quantity),
-        arm=arm.name,
-        n=arm.n,
-        quantity=quantity,
-        unit=recipe.unit,
-        shape=recipe.shape(arm.n),
-        parameters=symbols.values,
-    )
+    entries = _entries(graph, chain, gravity, quantity)
+
+    def program(entries: Sequence[Scalar]) -> Program:
+        return assemble(
+            graph,
+            entries,
+            arm=arm.name,
+            n=arm.n,
+            quantity=quantity,
+            unit=recipe.unit,
+            shape=recipe.shape(arm.n),
+            parameters=symbols.values,
+        )
+
+    first = program(entries)
+    zero = vanishing(first)
+    if not zero.any():
+        return first
+    return program([0.0 if gone else entry for gone, entry in zip(zero, entries, strict=True)])
 
 
 def as_written(
@@ -129,12 +140,13 @@ def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int) -
     guide: Quantity = "bias" if quantity == "C" else quantity
 
     def lines(chain: Chain, quantity: Quantity) -> tuple[dict[Node, Line], Node]:
-        graph = Graph()
+        graph = Graph(simplify=False)
         entries = _entries(graph, chain, gravity, quantity)
         return lines_of(graph, entries), len(graph.nodes)
 
     found = regroupings(arm, lambda chain: _total(lines(chain, guide)[0]), tries=tries)
-    return min(found[-_FINALISTS:], key=lambda chain: _total(factored(*lines(chain, quantity))))
+    finalists = [found[0], *found[1:][-_FINALISTS:]]
+    return min(finalists, key=lambda chain: _total(factored(*lines(chain, quantity))))
 
 
 def _total(lines: dict[Node, Line]) -> int:
