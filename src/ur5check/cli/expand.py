@@ -1,4 +1,4 @@
-"""Print the URDF that a xacro stands for, without ROS."""
+"""Print the URDF that a xacro stands for, without ROS; on request, as an engine reads it rightly."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ EXAMPLES = """\
 examples:
   ur5check expand appendix -o ur5.urdf
   ur5check expand robot.urdf.xacro --package my_robot=. --arg prefix:=left_
+  ur5check expand robot.urdf --for mujoco -o robot_for_mujoco.urdf
 """
 
 
@@ -23,6 +24,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", metavar="FILE", help="a .xacro file, or the name of a model")
     parser.add_argument("--package", action="append", default=[], metavar="NAME=DIR")
     parser.add_argument("--arg", action="append", default=[], metavar="NAME:=VALUE")
+    parser.add_argument(
+        "--for",
+        dest="reader",
+        metavar="ENGINE",
+        help="rewrite what this engine would misread: mujoco, drake, dart or gazebo",
+    )
     add_output_options(parser, formats=False)
 
 
@@ -41,7 +48,8 @@ def run(args: argparse.Namespace) -> int:
     check_output(args.output, (path,))
     if kind == "urdf":
         text = _urdf(path, args.file, arguments)
-        progress(args.quiet, f"{args.file} is a URDF: there is nothing to expand")
+        if args.reader is None:
+            progress(args.quiet, f"{args.file} is a URDF: there is nothing to expand")
     elif kind == "xacro":
         expansion = expand_xacro(
             path, arguments=arguments, packages=default_packages().with_packages(packages)
@@ -52,8 +60,29 @@ def run(args: argparse.Namespace) -> int:
         text = expansion.text
     else:
         raise UsageError(_not_a_xacro(args.file, kind))
+    if args.reader is not None:
+        text = _rewritten(text, args, path, packages)
     emit(text if text.endswith("\n") else f"{text}\n", args.output)
     return 0
+
+
+def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[str, str]) -> str:
+    """The text that the engine reads rightly; says what was changed, and for which habit."""
+    from ..engines.habits import remedied_text
+    from ..sources.mesh_addresses import with_mesh_paths
+    from ..sources.packages import default_packages
+    from ..sources.urdf_strict import check_urdf
+
+    check_urdf(text.encode(), args.file)
+    text, mended = remedied_text(text, args.reader)
+    for habit in mended:
+        progress(args.quiet, f"rewritten for {args.reader}, where {habit.title} ({habit.id})")
+    if args.reader in ("mujoco", "dart"):  # they know no ROS packages, and stop at a mesh not found
+        known = default_packages().with_packages(packages)
+        text, lost = with_mesh_paths(text, known, path.parent)
+        for sentence in lost:
+            progress(args.quiet, sentence)
+    return text
 
 
 def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:

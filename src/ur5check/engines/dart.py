@@ -54,6 +54,8 @@ class DartEngine:
         self.skeleton, self.said = skeleton, tuple(said)
         self._dofs = [self._dof(name) for name in arm.joint_names]
         self._order = [dof.getIndexInSkeleton() for dof in self._dofs]
+        # DART starts a joint in the middle of its range where that leaves zero out.
+        skeleton.setPositions(np.zeros(arm.n))
         self._joints = tuple(self._held_joint(k) for k in range(skeleton.getNumDofs()))
         for dof in self._dofs:
             dof.setDampingCoefficient(0.0)

@@ -20,9 +20,11 @@ from ..arm.serial_arm import SerialArm
 from ..errors import UsageError
 from .remedies import (
     fix_root_to_world,
+    give_base_mass,
     keep_shapes_massless,
     say_effort_in_transmissions,
     write_massless_links,
+    write_no_limit,
 )
 from .urdf_text import written
 
@@ -47,6 +49,14 @@ class Habit:
     explanation: str
     remedy: str
     rewrite: Callable[[Any], None] | None = None
+
+    def applied(self, root: Any) -> bool:
+        """Rewrite a URDF's root element for this habit; returns whether anything changed."""
+        if self.rewrite is None:
+            return False
+        before = etree.tostring(root)
+        self.rewrite(root)
+        return bool(etree.tostring(root) != before)
 
 
 HABITS: tuple[Habit, ...] = (
@@ -148,6 +158,25 @@ HABITS: tuple[Habit, ...] = (
         "add it as a force of your own",
     ),
     Habit(
+        "drake-continuous-limits",
+        "drake",
+        ("position-limit",),
+        False,
+        "a continuous joint keeps position limits",
+        "Where a continuous joint's <limit> has lower and upper, which mean nothing there, Drake "
+        "keeps them.",
+        "take lower and upper out of the continuous joint's <limit>",
+    ),
+    Habit(
+        "drake-keeps-base",
+        "drake",
+        ("base-kept",),
+        False,
+        "the base keeps its inertia",
+        "Links on the base stay bodies; welded to the world they bear on no joint.",
+        "none is needed: torques do not change",
+    ),
+    Habit(
         "drake-floating-root",
         "drake",
         (),
@@ -167,6 +196,15 @@ HABITS: tuple[Habit, ...] = (
         "DART gives such a link, a tool frame for instance, 1 kg and moments of 1 kg m².",
         "write an <inertial> of mass zero; `ur5check expand --for dart`",
         write_massless_links,
+    ),
+    Habit(
+        "dart-keeps-base",
+        "dart",
+        ("base-kept",),
+        False,
+        "the base keeps its inertia",
+        "Links on the base stay bodies; standing still they bear on no joint.",
+        "none is needed: torques do not change",
     ),
     Habit(
         "dart-floating-root",
@@ -198,6 +236,16 @@ HABITS: tuple[Habit, ...] = (
         "none is needed: torques do not change",
     ),
     Habit(
+        "idyntree-keeps-base",
+        "idyntree",
+        ("base-kept",),
+        False,
+        "the base keeps its inertia",
+        "iDynTree's base floats, so its inertia is part of the model; held still it bears on no "
+        "joint.",
+        "none is needed: torques do not change",
+    ),
+    Habit(
         "idyntree-continuous-limits",
         "idyntree",
         ("position-limit",),
@@ -226,6 +274,28 @@ HABITS: tuple[Habit, ...] = (
         "hang the root on `world`; `ur5check expand --for gazebo`",
         fix_root_to_world,
     ),
+    Habit(
+        "gazebo-massless-base",
+        "gazebo",
+        ("body-lost",),
+        True,
+        "a base without mass is dropped, and the arm with it",
+        "SDFormat leaves out a link that weighs nothing, unless it is fixed to one that weighs, "
+        "and all links that hang on it.",
+        "give the base a mass; being fixed to the world, it bears on no torque. "
+        "`ur5check expand --for gazebo` gives it 1 kg",
+        give_base_mass,
+    ),
+    Habit(
+        "gazebo-no-limit",
+        "gazebo",
+        ("position-limit", "velocity-limit", "effort-limit"),
+        False,
+        "the largest double is out of range",
+        "Written with 16 digits it is more than the largest double, and SDFormat refuses it.",
+        "write 1e16, SDFormat's own word for no limit; `ur5check expand --for gazebo`",
+        write_no_limit,
+    ),
 )
 
 #: What `remedied_text` and `ur5check expand --for` write for.
@@ -242,24 +312,24 @@ def habit_for(key: str, kind: str) -> Habit | None:
     return next((habit for habit in habits_of(key) if kind in habit.kinds), None)
 
 
-def remedied_text(urdf: str, key: str) -> str:
-    """A URDF's text, rewritten so that this engine reads it rightly.
+def remedied_text(urdf: str, key: str) -> tuple[str, tuple[Habit, ...]]:
+    """A URDF's text, rewritten so that this engine reads it rightly, and the habits it was for.
 
-    Raises UsageError for a key that no remedy is known for.
+    Raises UsageError for a key that no remedy is known for, ModelError if a name is taken that a
+    remedy needs.
     """
     if key not in TARGETS:
         raise UsageError(f"nothing needs to be rewritten for {key!r}; choose {', '.join(TARGETS)}")
     parser = etree.XMLParser(resolve_entities=False, no_network=True)
     root = etree.fromstring(urdf.encode(), parser)
-    for habit in habits_of(key):
-        if habit.rewrite is not None:
-            habit.rewrite(root)
+    mended = tuple(habit for habit in habits_of(key) if habit.applied(root))
     etree.indent(root)
-    return written(root)
+    return written(root), mended
 
 
 def remedied(arm: SerialArm, key: str) -> SerialArm:
     """The arm with its URDF rewritten for an engine; as it is where nothing needs rewriting."""
     if arm.source.urdf is None or key not in TARGETS:
         return arm
-    return replace(arm, source=replace(arm.source, urdf=remedied_text(arm.source.urdf, key)))
+    text, _ = remedied_text(arm.source.urdf, key)
+    return replace(arm, source=replace(arm.source, urdf=text))

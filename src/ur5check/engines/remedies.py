@@ -1,8 +1,8 @@
 """Rewriting a URDF so that a reader which misreads it reads it rightly.
 
-Each remedy changes one thing in the XML tree and invents no number: a massless link is *written*
-massless, the shape of a massless link is kept from becoming a mass, a limit that stands in one
-place is said in another as well.  `habits` says which reader needs which.
+Each remedy changes one thing in the XML tree and no torque: a massless link is *written* massless,
+the shape of a massless link is kept from becoming a mass, a limit that stands in one place is said
+in another as well.  `habits` says which reader needs which.
 """
 
 from __future__ import annotations
@@ -11,16 +11,26 @@ from typing import Any
 
 from lxml import etree
 
+from ..errors import ModelError
 from .urdf_text import root_link
 
 __all__ = [
+    "NO_LIMIT",
     "fix_root_to_world",
+    "give_base_mass",
     "keep_shapes_massless",
     "say_effort_in_transmissions",
     "write_massless_links",
+    "write_no_limit",
 ]
 
+#: SDFormat's own default for a bound that is not given.
+NO_LIMIT = "1e16"
+
 _ZERO_TENSOR = dict.fromkeys(("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), "0")
+
+_BALL = """<inertial><mass value="1"/>
+  <inertia ixx="0.004" ixy="0" ixz="0" iyy="0.004" iyz="0" izz="0.004"/></inertial>"""
 
 
 def write_massless_links(root: Any) -> None:
@@ -59,17 +69,56 @@ def say_effort_in_transmissions(root: Any) -> None:
 
 
 def fix_root_to_world(root: Any) -> None:
-    """Hang the root link on a link `world`, which floating-base readers hold still."""
+    """Hang the root link on a link `world`, which floating-base readers hold still.
+
+    Raises ModelError if the name is taken by a link or joint that is not the root.
+    """
     name = root_link(root)
     if name == "world":
         return
-    joints = {joint.get("name") for joint in root.iterchildren("joint")}
-    joint_name = "world_fixed_joint"
-    while joint_name in joints:
-        joint_name += "_"
-    first = next(root.iterchildren("link"))
-    first.addprevious(etree.Element("link", name="world"))
-    joint = etree.Element("joint", name=joint_name, type="fixed")
+    for node in root.iterchildren("link", "joint"):
+        if node.get("name") in ("world", "world_joint"):
+            raise ModelError(
+                "the name is taken: readers keep it for what the base is fixed to",
+                remedy="rename it",
+                line=node.sourceline,
+                element=f"{node.tag} {node.get('name')!r}",
+            )
+    joint = etree.Element("joint", name="world_joint", type="fixed")
     etree.SubElement(joint, "parent", link="world")
     etree.SubElement(joint, "child", link=name)
-    first.addprevious(joint)
+    root.insert(0, joint)
+    root.insert(0, etree.Element("link", name="world"))
+
+
+def give_base_mass(root: Any) -> None:
+    """Give what is fixed to the world and weighs nothing a ball of 1 kg and 0.1 m."""
+    below: dict[str, list[str]] = {}
+    for joint in root.iterchildren("joint"):
+        if joint.get("type") == "fixed":
+            below.setdefault(joint.find("parent").get("link"), []).append(
+                joint.find("child").get("link")
+            )
+    links = {link.get("name"): link for link in root.iterchildren("link")}
+    top = root_link(root)
+    for head in below.get(top, []) if top == "world" else [top]:
+        welded = [head]
+        for link in welded:  # grows while we walk it
+            welded += below.get(link, [])
+        if not any(_mass(links[link]) > 0.0 for link in welded):
+            for inertial in links[head].findall("inertial"):
+                links[head].remove(inertial)
+            links[head].append(etree.fromstring(_BALL))
+
+
+def write_no_limit(root: Any) -> None:
+    """Write a bound that means "none" as SDFormat does; it cannot read the largest double."""
+    for limit in root.iterfind("joint/limit"):
+        for key, text in limit.attrib.items():
+            if abs(float(text)) > float(NO_LIMIT):
+                limit.set(key, f"-{NO_LIMIT}" if float(text) < 0.0 else NO_LIMIT)
+
+
+def _mass(link: Any) -> float:
+    mass = link.find("inertial/mass")
+    return 0.0 if mass is None else float(mass.get("value"))

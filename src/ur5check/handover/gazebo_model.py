@@ -25,6 +25,7 @@ from lxml import etree
 
 from ..arm import SerialArm, Transform
 from ..arm.transforms import Array
+from ..engines.habits import habits_of
 from ..errors import ModelError
 from ..sources.packages import PackageMap
 from ..sources.urdf_chain import Chain
@@ -33,12 +34,9 @@ from ..sources.urdf_strict import check_urdf
 from ..sources.xml_numbers import Element
 from .package_meshes import take_meshes
 from .urdf_edits import (
-    fix_to_world,
-    give_base_mass,
     hold_still,
     leave_out_control,
     limit_turns,
-    write_no_limit,
 )
 
 __all__ = ["GazeboModel", "gazebo_model"]
@@ -73,9 +71,9 @@ def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: st
     chain = robot.tree.chain(arm.source.base, arm.source.tip)
     _refuse_massless(arm, file)
     notes = [*leave_out_control(root), *hold_still(root, robot, chain)]
-    fix_to_world(root, robot, file)
-    notes += give_base_mass(root, robot, chain)
-    write_no_limit(root)
+    for habit in habits_of("gazebo"):
+        if habit.applied(root):
+            notes.append(f"Gazebo: {habit.title}; {habit.remedy}.")
     meshes, unread = take_meshes(root, package=package, packages=packages, folder=Path(file).parent)
     limited = copy.deepcopy(root)
     limit_turns(limited, chain)

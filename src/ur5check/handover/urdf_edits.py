@@ -8,7 +8,7 @@ from __future__ import annotations
 from lxml import etree
 
 from ..arm import Transform
-from ..errors import ModelError
+from ..engines.remedies import NO_LIMIT
 from ..export.numbers import exact, roll_pitch_yaw, triple
 from ..sources.urdf_chain import Chain
 from ..sources.urdf_robot import Robot
@@ -16,18 +16,12 @@ from ..sources.xml_numbers import Element
 from .joint_range import HALF_TURN
 
 __all__ = [
-    "fix_to_world",
-    "give_base_mass",
     "hold_still",
     "leave_out_control",
     "limit_turns",
-    "write_no_limit",
 ]
 
 _CONTROL = ("ros_control", "ros2_control")
-_NO_LIMIT = "1e16"  # SDFormat's own default for a bound that is not given
-_BALL = """<link><inertial><mass value="1"/>
-  <inertia ixx="0.004" ixy="0" ixz="0" iyy="0.004" iyz="0" izz="0.004"/></inertial></link>"""
 _OF_A_MOVING_JOINT = (
     "axis", "calibration", "dynamics", "limit", "mimic", "origin", "safety_controller",
 )  # fmt: skip
@@ -65,54 +59,6 @@ def hold_still(root: Element, robot: Robot, chain: Chain) -> list[str]:
     return [f"Fixed, being outside the arm: {', '.join(held)}."] if held else []
 
 
-def fix_to_world(root: Element, robot: Robot, file: str) -> None:
-    top = robot.tree.root
-    if top == "world":
-        return
-    names = {node.get("name") for node in root.iterchildren("link", "joint")}
-    if names & {"world", "world_joint"}:
-        raise ModelError(
-            "the name is taken: Gazebo keeps it for what the base is fixed to",
-            remedy="rename it",
-            file=file,
-            element="link or joint 'world' or 'world_joint'",
-        )
-    joint = etree.Element("joint", name="world_joint", type="fixed")
-    joint.append(etree.Element("parent", link="world"))
-    joint.append(etree.Element("child", link=top))
-    joint.append(_origin(Transform.identity()))
-    root.insert(0, joint)
-    root.insert(0, etree.Element("link", name="world"))
-
-
-def give_base_mass(root: Element, robot: Robot, chain: Chain) -> list[str]:
-    """Give mass to what is fixed to the world and has none: 1 kg in a ball of 0.1 m."""
-    top = robot.tree.root
-    fixed = [edge for edge in robot.tree.below[top] if edge not in chain.moving]
-    heads = [edge.child for edge in fixed] if top == "world" else [top]
-    notes = []
-    for head in heads:
-        ways = robot.tree.rigid_group(head, chain)
-        bodies = (robot.inertia(way[-1].child if way else head) for way in ways)
-        if any(body is not None and body.mass > 0.0 for body in bodies):
-            continue
-        link = next(node for node in root.iterchildren("link") if node.get("name") == head)
-        link.extend(etree.fromstring(_BALL))
-        notes.append(
-            f"Link {head!r} has no mass, so Gazebo would drop it and all that hangs on it. Here it "
-            "weighs 1 kg; being fixed to the world, it bears on no torque."
-        )
-    return notes
-
-
-def write_no_limit(root: Element) -> None:
-    """SDFormat reads the largest double in 16 digits, which is more than the largest double."""
-    for limit in root.iterfind("joint/limit"):
-        for key, text in limit.attrib.items():
-            if abs(float(text)) > float(_NO_LIMIT):
-                limit.set(key, f"-{_NO_LIMIT}" if float(text) < 0.0 else _NO_LIMIT)
-
-
 def limit_turns(root: Element, chain: Chain) -> None:
     """Hold every turning joint of the arm within half a turn either way."""
     kinds = {edge.joint: edge.kind for edge in chain.moving}
@@ -122,7 +68,7 @@ def limit_turns(root: Element, chain: Chain) -> None:
             continue
         limit = joint.find("limit")
         if limit is None:
-            limit = etree.SubElement(joint, "limit", effort=_NO_LIMIT, velocity=_NO_LIMIT)
+            limit = etree.SubElement(joint, "limit", effort=NO_LIMIT, velocity=NO_LIMIT)
         joint.set("type", "revolute")
         if kind == "continuous":
             lower, upper = -HALF_TURN, HALF_TURN
