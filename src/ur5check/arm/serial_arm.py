@@ -110,7 +110,7 @@ class Link:
 class Source:
     """Where an arm came from.
 
-    kind : "dh", "urdf", "xacro", "pinocchio" or "value" (built in Python)
+    kind : "dh", "urdf", "xacro", "mjcf", "sdf", "pinocchio" or "value" (built in Python)
     inputs : (name, SHA-256) of every file that was read, in reading order
     urdf : the URDF text, after xacro expansion, for referees that bring their own parser
     model : the `pin.Model` itself, when that is what was given
