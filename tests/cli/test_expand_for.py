@@ -116,7 +116,7 @@ def test_gazebo_gets_a_world_and_a_base_that_weighs(ur5check, tmp_path):
         assert habit in said.err
     heavy = tmp_path / "heavy.urdf"
     heavy.write_text(said.out, "utf-8")
-    arms = ur5.load("paper"), ur5.load(heavy, base="base")
+    arms = ur5.load("paper"), ur5.load(heavy, base="base_link")
     torques = [ur5.rnea(arm, Q, QD, QDD) for arm in arms]
     assert np.abs(torques[0] - torques[1]).max() < 1e-12
 

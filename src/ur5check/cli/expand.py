@@ -1,4 +1,4 @@
-"""Print the URDF that a xacro stands for, without ROS; on request, as an engine reads it rightly."""
+"""Print the URDF that a xacro stands for, without ROS; on request, as one engine reads it right."""
 
 from __future__ import annotations
 
