@@ -33,6 +33,7 @@ __all__ = ["Parameters", "as_written", "trace", "trace_difference"]
 
 Parameters = Literal["numeric", "symbolic"]
 
+_TRIES, _SHORT = 200, 8  # so that a derivation takes seconds
 _FINALISTS = 3  # last finds that are factored, with the first, before the best is chosen
 
 
@@ -42,14 +43,15 @@ def trace(
     *,
     parameters: Parameters = "numeric",
     regroup: bool = True,
-    tries: int = 200,
+    tries: int | None = None,
 ) -> Program:
     """The closed form of one quantity.
 
     parameters : "numeric", the arm's numbers folded in, or "symbolic", left as inputs (`symbols`)
     regroup : whether numbers that no torque sees may be chosen anew; the values stay the same to
         rounding.  Symbols are left as they are, and a regressor has no inertias to regroup
-    tries : how many regroupings to look at; each costs some 5 ms for an arm of six joints
+    tries : how many regroupings to look at beyond the first, 5 ms each for a UR5; None: 200 for arms
+        of up to 8 joints, none for longer ones
 
     Raises UsageError for a quantity that there is none of.
     """
@@ -131,7 +133,7 @@ def _entries(graph: Graph, chain: Chain, gravity: Vector, quantity: Quantity) ->
     return QUANTITIES[quantity].entries(asked)
 
 
-def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int) -> Chain:
+def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int | None) -> Chain:
     """The chain that leaves fewest operations.
 
     Factoring takes thirty times as long as tracing, so the search goes by the operations before it,
@@ -144,6 +146,8 @@ def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int) -
         entries = _entries(graph, chain, gravity, quantity)
         return lines_of(graph, entries), len(graph.nodes)
 
+    if tries is None:
+        tries = _TRIES if arm.n <= _SHORT else 0
     found = regroupings(arm, lambda chain: _total(lines(chain, guide)[0]), tries=tries)
     finalists = [found[0], *found[1:][-_FINALISTS:]]
     return min(finalists, key=lambda chain: _total(factored(*lines(chain, quantity))))
