@@ -123,6 +123,20 @@ def test_axes_parallel_but_for_a_rounded_angle_are_refused():
         dh_toml_of(tilted)
 
 
+def test_a_tip_that_is_all_but_parallel_is_left_to_the_tool():
+    arm = planar_arm((0.4, 0.3), (1.0, 1.0))
+    arm = arm.with_inertias([replace(x.inertia, tensor=0.01 * np.eye(3)) for x in arm.links])
+    askew = Transform.from_rpy((0.3, 0.0, 0.0), (np.pi / 2 + 1e-6, 1e-6, 0.0))
+    arm = replace(arm, links=(arm.links[0], replace(arm.links[1], far_end=askew)))
+    text = dh_toml_of(arm)
+    assert "\ntool = " in text
+    again = read_dh(text.encode(), file="written.toml")
+    assert torques_agree(arm, again)
+    q = random_states(2, 5, seed=1).q
+    poses = [ur5check.forward_kinematics(a, q) for a in (arm, again)]
+    np.testing.assert_allclose(*poses, rtol=0, atol=1e-13)
+
+
 def test_a_frame_left_where_it_was_would_be_seen():
     """The planted fault: DH rows with the inertias of the old frames."""
     arm = random_arm(3, seed=42)

@@ -20,6 +20,7 @@ B C0 before the first row and C_n⁻¹ after the last, are the table's `base` an
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NoReturn
 
 import numpy as np
 
@@ -62,17 +63,15 @@ def dh_frames(arm: SerialArm) -> DHFrames:
     links = []
     axes = [*(joint.axis for joint in arm.joints[1:]), _Z]
     for i, (link, axis) in enumerate(zip(arm.links, axes, strict=True)):
+        last = i + 1 == arm.n
         seen = before.inverse() @ link.far_end
-        stays = (kept or link is arm.links[-1]) and np.array_equal(axis, _Z) and _is_dh(seen)
+        stays = (kept or last) and np.array_equal(axis, _Z) and _is_dh(seen)
         after = Transform.identity() if stays else _next_frame(seen, axis)
+        if last and np.abs((seen @ after).p).max() > _FARTHEST:
+            after = seen.inverse()  # the tip's z is no axis that must be met: leave all to the tool
         far_end = seen @ after
         if np.abs(far_end.p).max() > _FARTHEST:
-            which = f"joints {arm.joints[i].name!r} and {_named_next(arm, i)}"
-            raise UsageError(
-                f"{arm.name!r} has no DH table: the axes of {which} are all but parallel, and "
-                f"their common normal lies {np.abs(far_end.p).max():.3g} m away; if parallel is "
-                "meant, write the angle with all its digits, else convert to URDF"
-            )
+            _refuse(arm, i, float(np.abs(far_end.p).max()))
         inertia = link.inertia
         if not np.array_equal(after.matrix(), np.eye(4)):
             inertia = on_grid(inertia.expressed_in(after.inverse()), after)
@@ -87,6 +86,15 @@ def _is_dh(T: Transform) -> bool:
     return bool(
         abs(T.R[2, 0]) <= ROUNDING
         and np.abs(astray).max() <= ROUNDING * max(1.0, float(np.abs(T.p).max()))
+    )
+
+
+def _refuse(arm: SerialArm, i: int, distance: float) -> NoReturn:
+    raise UsageError(
+        f"{arm.name!r} has no DH table: the axes of joints {arm.joints[i].name!r} and "
+        f"{arm.joints[i + 1].name!r} are all but parallel, and their common normal lies "
+        f"{distance:.3g} m away; if parallel is meant, write the angle with all its digits, else "
+        "convert to URDF"
     )
 
 
@@ -146,7 +154,3 @@ def _tidy(T: Transform) -> Transform:
     scale = max(1.0, float(np.abs(T.p).max()))
     nothing = np.abs(T.matrix() - np.eye(4)).max() <= ROUNDING * scale
     return Transform.identity() if nothing else T
-
-
-def _named_next(arm: SerialArm, i: int) -> str:
-    return repr(arm.joints[i + 1].name) if i + 1 < arm.n else "the tip"
