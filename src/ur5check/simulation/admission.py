@@ -9,14 +9,18 @@ arm (`parity.imports`), and one that still holds another arm is turned away.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import cast
+from typing import NoReturn, cast
+
+import numpy as np
 
 from ..arm.serial_arm import SerialArm
 from ..engines.engine import Stepper
 from ..engines.habits import remedied
+from ..engines.holdings import moving_inertias
 from ..engines.registry import make_engine
 from ..errors import EngineError, UsageError
 from ..parity.imports import audit
+from ..parity.rounding import parameter_rounding
 
 __all__ = ["STEPPERS", "Admitted", "admit", "turn_away_strangers"]
 
@@ -50,14 +54,25 @@ def admit(key: str, arm: SerialArm) -> Admitted:
 
 
 def turn_away_strangers(engine: Stepper, arm: SerialArm) -> None:
-    """Raises EngineError, naming the first difference, if the engine holds another arm."""
+    """Raises EngineError, naming the first difference, if the engine holds another arm.
+
+    The audit holds the engine against the arm's file.  An arm whose inertias were changed since
+    (`with_inertias`) reaches an engine as that file nevertheless: so they are compared as well.
+    """
+    holdings = engine.holdings()
     # Gravity is told to the engine, whatever it read.
-    harmful = [d for d in audit(engine.holdings(), arm).harmful if d.kind != "gravity"]
-    if harmful:
-        first, *others = harmful
-        more = f" (and {len(others)} more)" if others else ""
-        raise EngineError(
-            f"{engine.name} holds another arm than {arm.name!r}: {first.where}: {first.held}, "
-            f"where the model has {first.written}{more}; simulate with another engine, "
-            "or mend the model"
-        )
+    harmful = [one for one in audit(holdings, arm).harmful if one.kind != "gravity"]
+    for one in harmful[:1]:
+        _turn_away(engine, arm, one.where, one.held, one.written)
+    for link, held in zip(arm.links, moving_inertias(holdings, arm), strict=True):
+        here, there = link.inertia.parameters(), held.parameters()
+        if (np.abs(here - there) > parameter_rounding(arm, here, there)).any():
+            masses = (f"{inertia.mass:.6g} kg" for inertia in (held, link.inertia))
+            _turn_away(engine, arm, f"link {link.name!r}", *masses)
+
+
+def _turn_away(engine: Stepper, arm: SerialArm, where: str, held: str, wanted: str) -> NoReturn:
+    raise EngineError(
+        f"{engine.name} holds another arm than {arm.name!r}: {where}: {held}, where the model has "
+        f"{wanted}; simulate with another engine, or mend the model"
+    )

@@ -59,6 +59,11 @@ class Refinement:
         """log₂ of how much each halving gains, shape (L − 1,)."""
         return np.asarray(np.log2(self.error[:-1] / self.error[1:]))
 
+    @property
+    def overall_order(self) -> float:
+        """The same from the first step to the last, a halving."""
+        return float(np.log2(self.error[0] / self.error[-1]) / (len(self.error) - 1))
+
 
 @dataclass(frozen=True, eq=False)
 class Convergence:

@@ -82,7 +82,7 @@ def integrate(
         )
     if not solution.success:
         raise UsageError(
-            f"the motion cannot be followed beyond {solution.t[-1]:.3g} s "
+            f"the motion runs away before {times[-1]:g} s "
             f"({solution.message.lower().rstrip('.')}); simulate a shorter time"
         )
     t, y = np.asarray(solution.t), np.asarray(solution.y.T)

@@ -1,0 +1,83 @@
+"""No engine simulates an arm other than the one it was given."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from moving_arms import APPENDIX, CASE_9
+
+from ur5check.engines.habits import remedied
+from ur5check.engines.registry import make_engine
+from ur5check.errors import EngineError, UsageError
+from ur5check.simulation.acceleration import acceleration_of
+from ur5check.simulation.admission import STEPPERS, admit, turn_away_strangers
+from ur5check.simulation.flight import integrated, stepped
+from ur5check.simulation.torques import Held
+
+engines = pytest.mark.parametrize("key", STEPPERS)
+
+
+@engines
+def test_hidden_masses_are_turned_away(key):
+    with pytest.raises(EngineError, match=r"holds another arm than 'appendix'.*ee_link"):
+        turn_away_strangers(make_engine(key, APPENDIX), APPENDIX)
+
+
+@engines
+def test_an_engine_with_a_heavier_arm_is_turned_away(key):
+    link = APPENDIX.links[1].inertia
+    other = [link.inertia for link in APPENDIX.links]
+    other[1] = type(link)(link.mass * (1 + 1e-6), link.com, link.tensor)
+    engine = make_engine(key, remedied(APPENDIX, key))
+    with pytest.raises(EngineError, match=r"upper_arm_link.*8\.393 kg, where .* 8\.39301 kg"):
+        turn_away_strangers(engine, APPENDIX.with_inertias(other))
+
+
+@engines
+def test_after_its_remedies_an_engine_accelerates_the_arm_as_we_do(key):
+    admitted = admit(key, APPENDIX)
+    assert any("ee_link" in line for line in admitted.mended)
+    state = CASE_9, np.array([0.3, -0.2, 0.5, 1.0, -1.0, 2.0]), np.arange(6.0)
+    ours = acceleration_of(APPENDIX)(*state)
+    np.testing.assert_allclose(admitted.engine.forward_dynamics(*state), ours, rtol=1e-10)
+
+
+def test_an_engine_that_cannot_step_is_refused():
+    with pytest.raises(UsageError, match="'pinocchio' moves no arm in time; choose from mujoco"):
+        admit("pinocchio", APPENDIX)
+
+
+@engines
+def test_a_step_is_the_integrators_own(key):
+    """One step of semi-implicit Euler: velocities first, positions with the new ones."""
+    engine, dt, rest = admit(key, APPENDIX).engine, 1e-3, np.zeros(6)
+    q, qd = engine.step(CASE_9, rest, rest, dt)
+    expected = dt * acceleration_of(APPENDIX)(CASE_9, rest, rest)
+    np.testing.assert_allclose(qd, expected, rtol=1e-10)
+    np.testing.assert_allclose(q - CASE_9, dt * expected, rtol=1e-9)
+
+
+def test_rk4_and_our_own_integrator_arrive_at_the_same_place():
+    engine, rest = admit("mujoco", APPENDIX).engine, np.zeros(6)
+    theirs = stepped(engine, Held(rest), CASE_9, rest, dt=1e-3, steps=200, integrator="rk4")
+    ours = integrated(APPENDIX, Held(rest), CASE_9, rest, np.array([0.0, 0.2]))
+    assert np.abs(theirs.q[-1] - ours.q[-1]).max() < 1e-8
+    assert np.abs(ours.q[-1] - CASE_9).max() > 0.1
+
+
+def test_work_of_held_torques_is_torque_times_way():
+    engine, rest, tau = admit("dart", APPENDIX).engine, np.zeros(6), np.arange(6.0)
+    motion = stepped(engine, Held(tau), CASE_9, rest, dt=1e-3, steps=50)
+    np.testing.assert_allclose(motion.work, (motion.q - CASE_9) @ tau, atol=1e-12)
+
+
+def test_an_engine_that_loses_the_arm_is_said():
+    engine, rest = admit("mujoco", APPENDIX).engine, np.zeros(6)
+
+    class Lost(type(engine)):
+        def step(self, q, qd, tau, dt, integrator=None):
+            return q + np.inf, qd
+
+    engine.__class__ = Lost
+    with pytest.raises(EngineError, match=r"MuJoCo lost the arm after 0 s: .* smaller step"):
+        stepped(engine, Held(rest), CASE_9, rest, dt=1e-3, steps=5)
