@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import sys
 from pathlib import Path
 
 import mujoco
@@ -285,3 +286,9 @@ def test_two_models_of_one_robot_agree(read, tmp_path):
     path.write_text(mjcf_of(ur5check.load("appendix")), encoding="utf-8")
     difference = ur5check.diff(path, "appendix", samples=50)
     assert difference.agrees
+
+
+def test_without_mujoco_the_extra_is_named(read, monkeypatch):
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    with pytest.raises(ModelError, match=r"pip install 'ur5check\[mujoco\]'"):
+        read(text_of())

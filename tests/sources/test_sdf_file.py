@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -161,3 +162,9 @@ def test_a_dropped_inertial_orientation_would_be_seen(read):
     """The planted fault: the tensor read along the link's axes."""
     plain = INERTIAL.replace("0.3 0.2 0.1</pose>", "0 0 0</pose>")
     assert gap(read(text_of(lower=plain)), text_of()) > 0.01
+
+
+def test_without_drake_the_extra_is_named(read, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pydrake.multibody.parsing", None)
+    with pytest.raises(ModelError, match=r"pip install 'ur5check\[drake\]'"):
+        read(text_of())

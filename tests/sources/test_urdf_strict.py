@@ -96,7 +96,7 @@ def test_a_robot_without_links_is_refused() -> None:
 
 @pytest.mark.parametrize(("tag", "words"), [("sdf", "SDFormat"), ("mujoco", "MuJoCo")])
 def test_other_formats_are_named(tag: str, words: str) -> None:
-    with pytest.raises(ModelError, match=f"{words}.*convert"):
+    with pytest.raises(ModelError, match=f"{words}.*name it"):
         check_urdf(f"<{tag}/>".encode(), "other.urdf")
 
 
