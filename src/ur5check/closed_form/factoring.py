@@ -23,7 +23,7 @@ from functools import reduce
 from typing import NamedTuple
 
 from .nodes import Node
-from .patterns import Pattern, Place, line_of, patterns_in, placed
+from .patterns import Pattern, Place, TermPair, line_of, patterns_in, placed
 from .sums import Line, Monomial, added, cost, term_cost
 
 __all__ = ["factored"]
@@ -78,13 +78,13 @@ class _Rewriter:
         self.fresh = fresh
         self.where: defaultdict[Pattern, dict[Node, list[Place]]] = defaultdict(dict)
         self.patterns: dict[Node, list[Pattern]] = {}
-        self.queue: list[tuple[int, int, Pattern]] = []
-        self.pushed = 0  # earlier finds go first among equals, so that every run does the same
+        self.queue: list[tuple[int, bool, int, Pattern]] = []
+        self.pushed = 0
 
     def run(self) -> None:
         self.look_at(self.lines)
         while self.queue:
-            promised, _, pattern = heapq.heappop(self.queue)
+            promised, *_, pattern = heapq.heappop(self.queue)
             rewrite = self.best(pattern)
             if rewrite.saving == -promised:
                 self.apply(pattern, rewrite)
@@ -92,9 +92,11 @@ class _Rewriter:
                 self.push(pattern, rewrite.saving)
 
     def push(self, pattern: Pattern, saving: int) -> None:
+        """Among equal savings pairs of terms go first (it leaves less), then earlier finds."""
         if saving > 0:
             self.pushed += 1
-            heapq.heappush(self.queue, (-saving, self.pushed, pattern))
+            order = (-saving, not isinstance(pattern, TermPair), self.pushed)
+            heapq.heappush(self.queue, (*order, pattern))
 
     def look_at(self, names: Iterable[Node]) -> None:
         """Index these lines afresh."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import combinations
 from typing import NamedTuple
 
@@ -39,8 +40,9 @@ class FactorPair(NamedTuple):
     y: Node
 
 
-class Scaled(NamedTuple):
-    """k x, with k > 0."""
+@dataclass(frozen=True, slots=True)
+class Scaled:
+    """k x, with k > 0.  No tuple: (3.0, 3) would be the pair of factors (3, 3)."""
 
     k: float
     x: Node

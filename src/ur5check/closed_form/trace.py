@@ -50,8 +50,8 @@ def trace(
     parameters : "numeric", the arm's numbers folded in, or "symbolic", left as inputs (`symbols`)
     regroup : whether numbers that no torque sees may be chosen anew; the values stay the same to
         rounding.  Symbols are left as they are, and a regressor has no inertias to regroup
-    tries : how many regroupings to look at beyond the first, 5 ms each for a UR5; None: 200 for arms
-        of up to 8 joints, none for longer ones
+    tries : how many regroupings to look at beyond the first, 5 ms each for a UR5; None: 200 for
+        arms of up to 8 joints, none for longer ones
 
     Raises UsageError for a quantity that there is none of.
     """

@@ -1,0 +1,87 @@
+"""Regrouping changes the numbers and not the torques; wishes are granted to the last digit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from references import states
+
+import ur5check
+from examples import random_arm
+from ur5check.arm import Transform
+from ur5check.closed_form.regroup import slid
+from ur5check.closed_form.wishes import Unseen, Wish
+
+ARMS = ("paper", "appendix", "erd-ur5", "random")
+
+
+def arm_of(name):
+    return random_arm(6, seed=2) if name == "random" else ur5check.load(name)
+
+
+def largest_change(arm, pi):
+    """Of any torque, as a part of the largest, when π changes to these parameters."""
+    at = states(arm, 100)
+    Y = ur5check.torque_regressor(arm, at.q, at.qd, at.qdd)
+    return np.abs(Y @ (pi - arm.parameters())).max() / np.abs(Y @ arm.parameters()).max()
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_torques_stay_and_wishes_are_granted(name):
+    arm = arm_of(name)
+    unseen = Unseen(arm)
+    wishes = [Wish(i, *names) for i in range(6) for names in (("m",), ("Iyy", "Izz"), ("mz",))]
+    pi = unseen.parameters(wishes)
+    assert largest_change(arm, pi) < 1e-13
+    granted = unseen.granted(wishes)
+    assert granted
+    for wish in granted:
+        values = pi[list(wish.places)]
+        assert values[0] == (values[1] if wish.equal_to else 0.0)
+
+
+def test_as_many_numbers_go_as_no_torque_sees():
+    unseen = Unseen(ur5check.load("paper"))
+    every = [Wish(i, name) for i in range(6) for name in ("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")]
+    every += [Wish(i, name) for i in range(6) for name in ("mx", "my", "mz", "m")]
+    assert unseen.null_space.shape == (60, 24)
+    assert len(unseen.granted(every)) == 24
+
+
+def test_a_number_that_torque_sees_may_not_go():
+    arm = ur5check.load("paper")
+    pi = arm.parameters()
+    pi[11] = 0.0  # the first moment of link 2
+    assert largest_change(arm, pi) > 1e-3
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_sliding_origins_moves_no_axis(name):
+    arm = arm_of(name)
+    other = slid(arm)
+    at = states(arm, 20)
+    for of in (lambda a: ur5check.rnea(a, at.q, at.qd, at.qdd), lambda a: a.links[-1].far_end.R):
+        np.testing.assert_allclose(of(other), of(arm), rtol=1e-11, atol=1e-11)
+    np.testing.assert_allclose(
+        ur5check.forward_kinematics(other, at.q), ur5check.forward_kinematics(arm, at.q), atol=1e-13
+    )
+
+
+def test_offsets_that_cancel_are_gone():
+    """The appendix goes out by 0.13585 m and back by 0.1197 m along one axis direction."""
+    arm = slid(ur5check.load("appendix"))
+    reaches = np.array([link.far_end.R.T @ link.far_end.p for link in arm.links])
+    assert (np.abs(reaches) > 1e-12).sum(axis=1).max() == 1
+    # And not by chance: an origin that was pushed along its axis comes back.
+    links = list(arm.links)
+    push = Transform.translation(arm.joints[3].axis * 0.3)
+    links[2] = replace(
+        links[2],
+        far_end=links[2].far_end @ push,
+        inertia=links[2].inertia.expressed_in(push.inverse()),
+    )
+    links[3] = replace(links[3], far_end=push.inverse() @ links[3].far_end)
+    back = slid(replace(arm, links=tuple(links)))
+    np.testing.assert_allclose(back.links[2].far_end.p, arm.links[2].far_end.p, atol=1e-12)
