@@ -64,10 +64,10 @@ def test_the_companion_matrix_is_the_error_equation():
     np.testing.assert_allclose(rate.reshape(3, 2), [e, ed, -15 * ed - 74 * e - 120 * integral])
 
 
-def test_the_triple_pole_is_one():
-    np.testing.assert_allclose(
-        np.poly(companion_matrix(Gains.triple_pole(1, 10.0))), [1.0, 30.0, 300.0, 1000.0]
-    )
+def test_placed_poles_are_where_they_were_placed():
+    np.testing.assert_allclose(poles(Gains.placed(1, (-8.0, -10.0, -12.0))), [-8, -10, -12])
+    with pytest.raises(UsageError, match="poles must be negative, not -1, 2, -3"):
+        Gains.placed(1, (-1.0, 2.0, -3.0))
 
 
 @pytest.mark.parametrize(

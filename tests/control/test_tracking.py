@@ -23,7 +23,7 @@ PLANT = PinocchioEngine(APPENDIX)
 START = np.array([0.0, -1.2, 1.0, 0.0, 0.3, 0.0])
 GOAL = np.array([1.0, -0.5, 0.2, 1.0, -0.3, 1.0])
 WAY = Quintic(START, GOAL, 1.0)
-GAINS = Gains.triple_pole(6, 10.0)
+GAINS = Gains.placed(6, (-8.0, -10.0, -12.0))
 
 
 def model(name):
@@ -142,6 +142,6 @@ def test_means_are_over_time():
 
 def test_sizes_that_do_not_fit_are_refused():
     with pytest.raises(UsageError, match="6 joints, the gains 5"):
-        track(ComputedTorque(PLANT, Gains.triple_pole(5, 1.0)), PLANT, WAY)
+        track(ComputedTorque(PLANT, Gains.placed(5, (-1.0, -1.0, -1.0))), PLANT, WAY)
     with pytest.raises(UsageError, match="2 joints, the gains 6"):
         track(RIGHT, PLANT, Quintic(np.zeros(2), np.ones(2), 1.0))

@@ -48,6 +48,12 @@ class Gains:
         return cls(*(np.diag(np.atleast_1d(np.asarray(gain, float))) for gain in (kp, ki, kd)))
 
     @classmethod
-    def triple_pole(cls, n: int, rate: float) -> Gains:
-        """All three poles of every joint's error at −rate [1/s]: (s + rate)³, without overshoot."""
-        return cls(3.0 * rate**2 * np.eye(n), rate**3 * np.eye(n), 3.0 * rate * np.eye(n))
+    def placed(cls, n: int, poles: tuple[float, float, float]) -> Gains:
+        """The same three poles [1/s] for every joint's error: (s − p₁)(s − p₂)(s − p₃).
+
+        Raises UsageError for poles that do not die out.
+        """
+        if max(poles) >= 0.0:
+            raise UsageError(f"poles must be negative, not {', '.join(f'{p:g}' for p in poles)}")
+        _, kd, kp, ki = np.poly(poles)
+        return cls(kp * np.eye(n), ki * np.eye(n), kd * np.eye(n))

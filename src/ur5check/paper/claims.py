@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from .claim import ClaimOutcome
+from .control_claims import eq_28_is_the_law, feedback_is_stable
 from .curve_claims import as_expected, posture_torque, sine, zero_and_constant
 from .evidence import Evidence
 from .load_claims import because_light, less_than_case_2, low
@@ -18,9 +19,18 @@ from .number_claims import (
     tensors_lie_along_links,
     vectors_from_dh,
 )
+from .simulation_claims import posture_is_clear, the_arm_stands
 from .soft_limits import soft_limits
 
-__all__ = ["CLAIMS", "OF_CASES", "OF_LIMITS", "OF_NUMBERS", "ClaimFunction"]
+__all__ = [
+    "CLAIMS",
+    "OF_CASES",
+    "OF_CONTROL",
+    "OF_LIMITS",
+    "OF_NUMBERS",
+    "OF_SIMULATION",
+    "ClaimFunction",
+]
 
 ClaimFunction = Callable[[Evidence], Iterable[ClaimOutcome]]
 
@@ -46,4 +56,10 @@ OF_CASES: tuple[ClaimFunction, ...] = (
 #: The appendix's joint limits.
 OF_LIMITS: tuple[ClaimFunction, ...] = (soft_limits,)
 
-CLAIMS = (*OF_NUMBERS, *OF_CASES, *OF_LIMITS)
+#: What was published to the simulator.
+OF_SIMULATION: tuple[ClaimFunction, ...] = (the_arm_stands, posture_is_clear)
+
+#: The controller of the section on future work.
+OF_CONTROL: tuple[ClaimFunction, ...] = (feedback_is_stable, eq_28_is_the_law)
+
+CLAIMS = (*OF_NUMBERS, *OF_CASES, *OF_SIMULATION, *OF_CONTROL, *OF_LIMITS)

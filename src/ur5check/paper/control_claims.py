@@ -1,0 +1,99 @@
+"""What the paper says of control (eqs 16–28): put to poles, and to a simulated loop.
+
+The paper prints no gains.  Every joint's poles are put at −8, −10 and −12 / s here, as a controller
+might; the signs fail for any positive gains (`control.error_dynamics`).  Controller and plant are
+the same arm, by the same engine: what is seen is the law's own doing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..control.computed_torque import ComputedTorque
+from ..control.error_dynamics import poles
+from ..control.gains import Gains
+from ..control.law import FeedbackLaw
+from ..control.tracking import Tracking, track
+from ..control.trajectory import Quintic
+from ..engines.engine import Engine
+from .claim import Claim, ClaimOutcome, Trial, judged
+from .evidence import Evidence
+from .models import Form
+
+__all__ = ["GAINS", "eq_28_is_the_law", "feedback_is_stable", "following_trial", "pole_trial"]
+
+GAINS = Gains.placed(6, (-8.0, -10.0, -12.0))
+
+#: One second, from a posture in front of the base to another.
+_WAY = Quintic(
+    np.array([0.0, -1.2, 1.0, 0.0, 0.3, 0.0]), np.array([1.0, -0.5, 0.2, 1.0, -0.3, 1.0]), 1.0
+)
+#: A start this far off is less than any encoder shows [rad].
+_OFF = 1e-6
+#: The integrator keeps 1e-9; nobody sees a microradian.
+_FOLLOWS = 1e-6
+
+
+def feedback_is_stable(evidence: Evidence) -> Iterator[ClaimOutcome]:
+    """Eqs (21)–(23): the feedback takes the error away."""
+    evidence.say("closing the control loop with the paper's signs")
+    claim = Claim(
+        "pid-signs",
+        "The PID feedback makes the arm follow",
+        "largest real part of the poles of the error dynamics: below 0, or errors grow",
+        "eqs (21)–(23)",
+        "1/s",
+    )
+    plant = _appendix(evidence)
+    laws: tuple[tuple[str, FeedbackLaw, Form], ...] = (
+        ("eqs (22), (23)", FeedbackLaw.PRINTED_22, "printed"),
+        ("eqs (22), (23), plus signs", FeedbackLaw.RIGHT, "repaired"),
+    )
+    yield from judged(claim, (pole_trial(name, form, law, plant) for name, law, form in laws))
+
+
+def pole_trial(name: str, form: Form, law: FeedbackLaw, plant: Engine) -> Trial:
+    """The least damped pole, and what a simulated arm makes of a microradian."""
+    run = _followed(law, plant, off=_OFF)
+    end = 1e6 * float(np.abs(run.error[-1]).max())
+    why = f"an error of 1 µrad is half a turn after {run.t[-1]:.2f} s"
+    if not run.lost:
+        why = f"an error of 1 µrad is {end:.1g} µrad after {run.t[-1]:g} s"
+    return Trial(name, form, float(poles(GAINS, law)[0].real), 0.0, why, "below")
+
+
+def eq_28_is_the_law(evidence: Evidence) -> Iterator[ClaimOutcome]:
+    """Eq. (28) is eqs (17) and (23) written out: with an exact model, it follows exactly."""
+    claim = Claim(
+        "pid-eq-28",
+        "Eq. (28), the control torque written out, follows a trajectory",
+        "largest error of a joint on a quintic of 1 s, model and plant the same: at most a "
+        "microradian, far above the integrator's own error",
+        "eqs (17), (23), (28)",
+        "rad",
+    )
+    plant = _appendix(evidence)
+    laws: tuple[tuple[str, FeedbackLaw, Form], ...] = (
+        ("eq. (28)", FeedbackLaw.PRINTED_28, "printed"),
+        ("eq. (28) with θ̈_d", FeedbackLaw.RIGHT, "repaired"),
+    )
+    yield from judged(claim, (following_trial(name, form, law, plant) for name, law, form in laws))
+
+
+def following_trial(name: str, form: Form, law: FeedbackLaw, plant: Engine) -> Trial:
+    """How far a joint strays from a motion that it starts on."""
+    largest = float(_followed(law, plant, off=0.0).largest().max())
+    why = "" if law.feeds_forward else "plus signs, unlike eq. (23), and θ̈_d is dropped"
+    return Trial(name, form, largest, _FOLLOWS, why)
+
+
+def _followed(law: FeedbackLaw, plant: Engine, *, off: float) -> Tracking:
+    return track(ComputedTorque(plant, GAINS, law), plant, _WAY, q=_WAY.start + off)
+
+
+def _appendix(evidence: Evidence) -> Engine:
+    from ..engines.pinocchio import PinocchioEngine
+
+    return PinocchioEngine(evidence.model("appendix").arm)
