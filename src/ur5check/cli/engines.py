@@ -27,8 +27,6 @@ EXAMPLES = f"""\
 {MODELS}
 
 examples:
-  ur5check engines
-  ur5check engines appendix
   ur5check engines my.urdf.xacro --with mujoco,drake --as-read --fail-over 1e-6
   ur5check engines --fleet -o fleet.md
 """

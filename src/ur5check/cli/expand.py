@@ -14,8 +14,7 @@ __all__ = ["EXAMPLES", "add_options", "run"]
 EXAMPLES = """\
 examples:
   ur5check expand appendix -o ur5.urdf
-  ur5check expand robot.urdf.xacro --package my_robot=. --arg prefix:=left_
-  ur5check expand robot.urdf --for mujoco -o robot_for_mujoco.urdf
+  ur5check expand robot.urdf.xacro --package my_robot=. --arg prefix:=left_ --for mujoco
 """
 
 

@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 __all__ = ["EXAMPLES", "add_options", "run"]
 
 EXAMPLES = f"""\
+{MODELS}
+
 examples:
   ur5check export gazebo ur5_in_gazebo
   ur5check export gazebo pendulum --model pendulum.urdf --pose 0.5 --ros 2
-
-{MODELS}
 """
 
 _ROS: dict[str, tuple[Ros, ...]] = {"1": ("1",), "2": ("2",), "both": ("1", "2")}

@@ -30,8 +30,7 @@ EXAMPLES = f"""\
 {MODELS}
 
 examples:
-  ur5check sweep paper appendix --states 1e6 --over 1 --threads 2
-  ur5check sweep paper appendix --states 1e9 --checkpoint sweep.json -o sweep.md
+  ur5check sweep paper appendix --states 1e9 --threads 2 --checkpoint sweep.json -o sweep.md
   ur5check sweep good.urdf suspect.urdf --sample run.parquet --parquet found.parquet
 """
 
