@@ -10,14 +10,13 @@ Measured with Pinocchio 4.1, MuJoCo 4.0, Drake 1.51, DART 6.20 and iDynTree 15.1
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 from lxml import etree
 
 from ..arm.serial_arm import SerialArm
 from ..errors import UsageError
+from .habit import Habit
 from .remedies import (
     fix_root_to_world,
     give_base_mass,
@@ -28,35 +27,7 @@ from .remedies import (
 )
 from .urdf_text import written
 
-__all__ = ["HABITS", "TARGETS", "Habit", "habit_for", "habits_of", "remedied", "remedied_text"]
-
-
-@dataclass(frozen=True)
-class Habit:
-    """Something that an engine does to a model when it reads it.
-
-    engine : its key in the registry, or "gazebo"
-    kinds : of import differences that this habit explains
-    harmful : whether torques change
-    rewrite : makes the file right for this engine, in place; None where no rewriting can
-    """
-
-    id: str
-    engine: str
-    kinds: tuple[str, ...]
-    harmful: bool
-    title: str
-    explanation: str
-    remedy: str
-    rewrite: Callable[[Any], None] | None = None
-
-    def applied(self, root: Any) -> bool:
-        """Rewrite a URDF's root element for this habit; returns whether anything changed."""
-        if self.rewrite is None:
-            return False
-        before = etree.tostring(root)
-        self.rewrite(root)
-        return bool(etree.tostring(root) != before)
+__all__ = ["HABITS", "TARGETS", "habit_for", "habits_of", "remedied", "remedied_text"]
 
 
 HABITS: tuple[Habit, ...] = (

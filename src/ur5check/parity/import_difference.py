@@ -16,7 +16,7 @@ import numpy as np
 from ..arm.transforms import Array
 
 if TYPE_CHECKING:
-    from ..engines.habits import Habit
+    from ..engines.habit import Habit
 
 __all__ = ["KINDS", "Bearing", "ImportDifference", "Kind"]
 
