@@ -42,7 +42,7 @@ def test_code_on_stdout_counts_and_time_on_stderr(say):
     assert counts == sorted(counts, reverse=True)
     assert len(counts) == 3
     assert re.search(r"derived in \d+\.\d s", err)
-    assert say(*G, "--quiet")[2] == ""
+    assert say(*G, "--parameters", "symbolic", "--quiet")[2] == ""
 
 
 @pytest.mark.parametrize(

@@ -6,10 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
 from references import states
 
 import ur5check
 from examples import random_arm
+from ur5check import strategies
 from ur5check.arm import Transform
 from ur5check.closed_form.regroup import slid
 from ur5check.closed_form.wishes import Unseen, Wish
@@ -40,6 +42,21 @@ def test_torques_stay_and_wishes_are_granted(name):
     for wish in granted:
         values = pi[list(wish.places)]
         assert values[0] == (values[1] if wish.equal_to else 0.0)
+
+
+WISHES = [("m",), ("mx",), ("my",), ("mz",), ("Ixx",), ("Iyy",), ("Iyy", "Izz"), ("Ixy",)]
+
+
+@settings(max_examples=15)
+@given(arm_and_states=strategies.arms_and_states())
+def test_torques_stay_whatever_the_arm(arm_and_states):
+    arm, _ = arm_and_states
+    wishes = [Wish(i, *names) for i in range(arm.n) for names in WISHES]
+    pi = Unseen(arm).parameters(wishes)
+    np.testing.assert_allclose(
+        *(np.linalg.norm(Unseen(arm).triangle @ p) for p in (pi, arm.parameters())), rtol=1e-12
+    )
+    assert largest_change(arm, pi) < 1e-12
 
 
 def test_as_many_numbers_go_as_no_torque_sees():

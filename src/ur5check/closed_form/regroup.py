@@ -32,6 +32,10 @@ __all__ = ["moments_chain", "regroupings", "slid"]
 
 _PARALLEL = 1e-9  # sine of an angle between axes; rounded angles are finer
 
+#: Regrouped numbers may make this many times the torque alone that the arm's own do; what is more
+#: must cancel, and takes more than two digits along.
+_LOUDER = 100.0
+
 #: What we wish of a link, in an order that does well: moments, first moments, mass, products.
 _WISHES = (
     ("Ixx",), ("Iyy",), ("Izz",), ("mx",), ("my",), ("mz",), ("m",), ("Ixy",), ("Ixz",), ("Iyz",),
@@ -42,27 +46,32 @@ _WISHES = (
 def regroupings(
     arm: SerialArm, cost: Callable[[Chain], int], *, tries: int, seed: int = 0
 ) -> list[Chain]:
-    """Chains with the same torques as the arm, to rounding; the cheapest comes last.
+    """Chains with the same torques as the arm, to rounding; the arm's own first, the cheapest last.
 
     cost : some measure of what is to be traced from a chain
     tries : how many orders of wishes to look at, beyond the first
     """
+    found = [chain_of(arm)]
+    fewest = cost(found[0])
     arm = slid(arm)
     unseen = Unseen(arm)
     directions = unseen.null_space.shape[1]
     rng = random.Random(seed)  # noqa: S311 - a search, no secret
-    wishes = [Wish(link, *names) for link in reversed(range(arm.n)) for names in _WISHES]
-    found = [moments_chain(arm, unseen.parameters(wishes))]
-    fewest = cost(found[-1])
-    for _ in range(tries if directions else 0):
-        order = list(wishes)
-        order.insert(rng.randrange(directions), order.pop(rng.randrange(len(order))))
-        chain = moments_chain(arm, unseen.parameters(order))
+    best = [Wish(link, *names) for link in reversed(range(arm.n)) for names in _WISHES]
+    loud = _LOUDER * unseen.loudness(arm.parameters())
+    for attempt in range(1 + tries if directions else 0):
+        wishes = list(best)
+        if attempt > 0:
+            wishes.insert(rng.randrange(directions), wishes.pop(rng.randrange(len(wishes))))
+        pi = unseen.parameters(wishes)
+        if unseen.loudness(pi) > loud:
+            continue
+        chain = moments_chain(arm, pi)
         operations = cost(chain)
         if operations < fewest:
             found.append(chain)
         if operations <= fewest:  # sideways, too: plateaus are wide
-            fewest, wishes = operations, order
+            fewest, best = operations, wishes
     return found
 
 

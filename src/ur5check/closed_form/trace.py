@@ -34,7 +34,7 @@ __all__ = ["Parameters", "as_written", "trace", "trace_difference"]
 Parameters = Literal["numeric", "symbolic"]
 
 _TRIES, _SHORT = 200, 8  # so that a derivation takes seconds
-_FINALISTS = 3  # last finds that are factored, with the first, before the best is chosen
+_FINALISTS = 3  # last finds that are factored, with the first two, before the best is chosen
 
 
 def trace(
@@ -149,7 +149,9 @@ def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int | 
     if tries is None:
         tries = _TRIES if arm.n <= _SHORT else 0
     found = regroupings(arm, lambda chain: _total(lines(chain, guide)[0]), tries=tries)
-    finalists = [found[0], *found[1:][-_FINALISTS:]]
+    finalists = [*found[:2], *found[2:][-_FINALISTS:]]
+    if len(finalists) == 1:
+        return finalists[0]
     return min(finalists, key=lambda chain: _total(factored(*lines(chain, quantity))))
 
 

@@ -78,6 +78,10 @@ class Unseen:
         _, s, Vt = np.linalg.svd(self.triangle)
         return np.asarray(Vt[s <= len(s) * _ROUNDING * s[0]].T)
 
+    def loudness(self, pi: Array) -> float:
+        """Σ of the torques that each parameter makes alone: what rounding is a part of."""
+        return float(np.linalg.norm(self.triangle, axis=0) @ np.abs(pi))
+
     def granted(self, wishes: Sequence[Wish]) -> list[Wish]:
         """The first wishes that can all be granted, at most one a direction."""
         granted: list[Wish] = []
