@@ -21,8 +21,10 @@ def to_python(program: Program, *, head: Sequence[str] = ()) -> str:
     head : lines for the top of the file, such as where it came from; they become comments
     """
     said = description(program)
-    keywords = [f"{name}={value!r}" for name, value in program.parameters.items()]
-    signature = ", ".join([*program.arguments, *(["*", *keywords] if keywords else [])])
+    signature = ", ".join(program.arguments)
+    if program.parameters:
+        values = "".join(f"{_INDENT}{k}={v!r},\n" for k, v in program.parameters.items())
+        signature = f"\n{_INDENT}{signature},\n{_INDENT}*,\n{values}"
     leads = ", ".join(f"{name}.shape[:-1]" for name in program.arguments)
     body = [
         f'"""{said[0]}',
