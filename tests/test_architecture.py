@@ -31,7 +31,8 @@ MAY_IMPORT = {
     "diagnosis": {"arm", "dynamics", "comparison"},
     "worst_case": {"arm", "dynamics", "comparison", "engines", "errors"},
     "closed_form": {"arm", "dynamics", "errors", "version"},
-    "sweeping": {"arm", "sources", "dynamics", "comparison", "worst_case", "errors", "version"},
+    "kernels": {"arm", "dynamics", "closed_form", "errors", "version"},
+    "sweeping": {"arm", "sources", "dynamics", "kernels", "comparison", "worst_case", "errors", "version"},
     "parity": {"arm", "sources", "dynamics", "engines", "comparison", "worst_case", "errors"},
     "explanation": {
         "arm", "comparison", "plausibility", "identifiability", "digits", "diagnosis", "worst_case",

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from .dynamics.newton_euler import rnea
     from .dynamics.regressor import torque_regressor
     from .explanation.explanation import explain
+    from .kernels.kernel import compile  # noqa: A004 - the word for it
     from .parity.comparison import compare_engines
     from .sources.loading import load
     from .sweeping.sweep import sweep
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "SerialArm": ".arm.serial_arm",
     "compare_engines": ".parity.comparison",
+    "compile": ".kernels.kernel",
     "coriolis_matrix": ".dynamics.equations",
     "diff": ".comparison.difference",
     "explain": ".explanation.explanation",
@@ -57,6 +59,7 @@ __all__ = [
     "SerialArm",
     "__version__",
     "compare_engines",
+    "compile",
     "coriolis_matrix",
     "diff",
     "explain",

@@ -1,0 +1,1 @@
+"""The recursion, compiled: straight-line functions of one arm, for millions of states at a time."""

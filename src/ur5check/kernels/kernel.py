@@ -1,0 +1,206 @@
+"""`ur5check.compile`: one arm's dynamics as straight-line code, for arrays of states.
+
+Each quantity is traced once from the recursion (`closed_form`), regrouped and factored, written as
+a module, fused by Numba where it is installed, and kept on disk.  Without Numba the same lines run
+on NumPy, a block of states at a time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from importlib import metadata
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arm.serial_arm import SerialArm
+from ..arm.transforms import Array
+from ..closed_form.program import Program
+from ..closed_form.trace import trace, trace_difference
+from ..errors import UsageError
+from .arrays import Layout, as_states, empty_result, refuse_unless_finite
+from .cache import generated_module
+from .fingerprint import fingerprint
+from .numba_source import numba_source
+from .numpy_source import numpy_source
+
+__all__ = ["DifferenceKernel", "Kernel", "Path", "compile", "compile_difference", "default_path"]
+
+#: What runs the lines.
+Path = Literal["numba", "numpy"]
+
+_WRITERS: dict[str, Callable[[Program], str]] = {"numba": numba_source, "numpy": numpy_source}
+
+
+def default_path() -> Path:
+    """Numba's where it is installed, else NumPy's."""
+    return "numba" if _numba_version() else "numpy"
+
+
+def compile(  # noqa: A001 - the word for it
+    arm: SerialArm, threads: int = 1, *, path: Path | None = None
+) -> Kernel:
+    """Compiled dynamics of an arm under its own gravity.
+
+    threads : states are shared among so many; Numba's code runs outside Python's lock
+    path : "numba" (`ur5check[fast]`) or "numpy"; None: Numba where it is installed
+
+    A quantity is compiled when it is first asked for, and found on disk by the arm's numbers later
+    (`cache`).  Raises UsageError for a number of threads below 1 or a path that is not here.
+    """
+    return Kernel(arm, *_checked(threads, path))
+
+
+def compile_difference(
+    a: SerialArm, b: SerialArm, threads: int = 1, *, path: Path | None = None
+) -> DifferenceKernel:
+    """τ_a − τ_b of two arms in one set of joint coordinates (`comparison.pair` makes them so).
+
+    Raises UsageError as `compile`, and for arms of different length.
+    """
+    return DifferenceKernel(a, b, *_checked(threads, path))
+
+
+@dataclass(frozen=True, eq=False)
+class Kernel:
+    """Functions of one arm.
+
+    Joint arrays are float64 of shape (N, n) with layout="states", (n, N) with layout="joints", or
+    one state of shape (n,); none is copied.  Results are (N, *shape) or (*shape, N) likewise;
+    `out` takes them where it is given.  Each function raises StateError for another shape, and for
+    entries that are no finite numbers.
+    """
+
+    arm: SerialArm
+    threads: int
+    path: Path
+
+    def rnea(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike,
+        qdd: ArrayLike,
+        *,
+        layout: Layout = "states",
+        out: Array | None = None,
+    ) -> Array:
+        """τ = M q̈ + C q̇ + g, shape (N, n) [N m]."""
+        return self._ask("tau", {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+
+    def mass_matrix(
+        self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
+    ) -> Array:
+        """M(q), shape (N, n, n) [kg m²]."""
+        return self._ask("M", {"q": q}, layout, out)
+
+    def coriolis_matrix(
+        self, q: ArrayLike, qd: ArrayLike, *, layout: Layout = "states", out: Array | None = None
+    ) -> Array:
+        """C(q, q̇) of Christoffel symbols, shape (N, n, n) [N m s]."""
+        return self._ask("C", {"q": q, "qd": qd}, layout, out)
+
+    def gravity_torque(
+        self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
+    ) -> Array:
+        """g(q), shape (N, n) [N m]."""
+        return self._ask("g", {"q": q}, layout, out)
+
+    def torque_regressor(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike,
+        qdd: ArrayLike,
+        *,
+        layout: Layout = "states",
+        out: Array | None = None,
+    ) -> Array:
+        """Y(q, q̇, q̈), shape (N, n, 10 n), in the order of `ur5check.torque_regressor`."""
+        return self._ask("regressor", {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+
+    def _ask(
+        self, quantity: Any, arrays: dict[str, ArrayLike], layout: Layout, out: Array | None
+    ) -> Array:
+        module = _module((self.arm,), quantity, self.path, lambda: trace(self.arm, quantity))
+        return _run(module, self.arm, self.threads, arrays, layout, out)
+
+
+@dataclass(frozen=True, eq=False)
+class DifferenceKernel:
+    """The torque difference of two arms; what both need is worked out once a state."""
+
+    a: SerialArm
+    b: SerialArm
+    threads: int
+    path: Path
+
+    def __call__(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike,
+        qdd: ArrayLike,
+        *,
+        layout: Layout = "states",
+        out: Array | None = None,
+    ) -> Array:
+        """τ_a − τ_b, shape (N, n) [N m]; arrays and errors as in `Kernel`."""
+        arms = (self.a, self.b)
+        module = _module(arms, "difference", self.path, lambda: trace_difference(*arms))
+        arrays = {"q": q, "qd": qd, "qdd": qdd}
+        return _run(module, self.a, self.threads, arrays, layout, out)
+
+
+def _module(
+    arms: tuple[SerialArm, ...], quantity: str, path: Path, program: Callable[[], Program]
+) -> Any:
+    key = fingerprint(arms, quantity, path, _numba_version() or "", np.__version__)
+    return generated_module(f"{quantity}_{path}_{key}", lambda: _WRITERS[path](program()))
+
+
+def _run(
+    module: Any,
+    arm: SerialArm,
+    threads: int,
+    arrays: dict[str, ArrayLike],
+    layout: Layout,
+    out: Array | None,
+) -> Array:
+    views, single = as_states(arm, arrays, layout)
+    count = len(views["q"])
+    result, flat = empty_result(count, module.SHAPE, layout, out)
+    used = [views[name] for name in module.ARGUMENTS]
+
+    def share(part: slice) -> None:
+        module.run(*(array[part] for array in used), flat[part])
+
+    if threads == 1 or count < 2 * threads:
+        share(slice(None))
+    else:
+        edges = np.linspace(0, count, threads + 1).astype(int)
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(share, map(slice, edges[:-1], edges[1:])))
+    refuse_unless_finite(arm, views, flat)
+    if not single:
+        return result
+    one: Array = result[0] if layout == "states" else result[..., 0]
+    return one
+
+
+def _checked(threads: int, path: Path | None) -> tuple[int, Path]:
+    if threads < 1:
+        raise UsageError(f"threads must be at least 1, not {threads}")
+    path = path or default_path()
+    if path not in get_args(Path):
+        raise UsageError(f"path must be one of {', '.join(get_args(Path))}, not {path!r}")
+    if path == "numba" and not _numba_version():
+        raise UsageError("Numba is not installed; pip install 'ur5check[fast]', or path='numpy'")
+    return threads, path
+
+
+def _numba_version() -> str | None:
+    try:
+        return metadata.version("numba")
+    except metadata.PackageNotFoundError:
+        return None

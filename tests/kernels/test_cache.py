@@ -1,0 +1,76 @@
+"""Generated code is kept by what it was made from, whole, and out of others' reach."""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+
+import ur5check as ur5
+from ur5check.errors import UsageError
+from ur5check.kernels.cache import cache_folder, generated_module
+from ur5check.kernels.fingerprint import fingerprint
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    place = tmp_path / "cache"
+    monkeypatch.setenv("UR5CHECK_CACHE", str(place))
+    return place
+
+
+def forget(key):
+    sys.modules.pop(f"ur5check_kernel_{key}", None)
+
+
+def test_a_module_is_made_once(folder):
+    made = []
+
+    def source():
+        made.append(1)
+        return "VALUE = 42\n"
+
+    for _ in range(2):
+        assert generated_module("once", source).VALUE == 42
+        forget("once")
+    assert made == [1]
+    assert [file.name for file in folder.glob("*.py")] == ["ur5check_kernel_once.py"]
+
+
+@pytest.mark.parametrize("spoil", ["VALUE = 41\n", ""])
+def test_a_spoiled_file_is_made_again(folder, spoil):
+    generated_module("spoiled", lambda: "VALUE = 42\n")
+    forget("spoiled")
+    (file,) = folder.glob("*.py")
+    head = file.read_text("utf-8").partition("\n")[0]
+    file.write_text(f"{head}\n{spoil}", "utf-8")
+    assert generated_module("spoiled", lambda: "VALUE = 43\n").VALUE == 43
+    forget("spoiled")
+
+
+def test_a_folder_that_others_may_write_is_refused(folder):
+    folder.mkdir(mode=0o700)
+    folder.chmod(0o777)
+    with pytest.raises(UsageError, match="chmod 700"):
+        cache_folder()
+
+
+def test_a_new_folder_is_for_the_user_only(folder):
+    assert cache_folder().stat().st_mode & 0o777 == 0o700
+
+
+def test_a_fingerprint_knows_every_number_and_no_name():
+    arm = ur5.load("paper")
+    known = fingerprint([arm], "tau")
+    heavier = [link.inertia for link in arm.links]
+    heavier[3] = heavier[3] + heavier[3]
+    others = [
+        fingerprint([arm], "M"),
+        fingerprint([arm.with_gravity((0, 0, -9.8))], "tau"),
+        fingerprint([arm.with_armature([0.1] * 6)], "tau"),
+        fingerprint([arm.with_inertias(heavier)], "tau"),
+        fingerprint([ur5.load("paper-listing")], "tau"),
+        fingerprint([arm, arm], "tau"),
+    ]
+    assert len({known, *others}) == 7
+    assert fingerprint([ur5.load("paper")], "tau") == known
