@@ -147,3 +147,12 @@ def test_a_frame_left_where_it_was_would_be_seen():
     joints = tuple(replace(joint, axis=np.array([0.0, 0.0, 1.0])) for joint in arm.joints)
     moved = replace(arm, joints=joints, links=tuple(wrong), base=frames.base)
     assert not torques_agree(arm, moved, 1e-3)
+
+
+def test_one_line_for_two_joints_has_a_table_whatever_its_frames():
+    """The same axis twice, the frame's own x along it: x must come from elsewhere."""
+    arm = planar_arm((0.0, 0.0), (1.0, 1.0))
+    arm = arm.with_inertias([replace(x.inertia, tensor=0.01 * np.eye(3)) for x in arm.links])
+    along_x = tuple(replace(joint, axis=np.array([1.0, 0.0, 0.0])) for joint in arm.joints)
+    arm = replace(arm, joints=along_x)
+    assert torques_agree(arm, read_dh(dh_toml_of(arm).encode(), file="written.toml"))

@@ -10,7 +10,7 @@ next axis and p a point on it:
 
 - skew or intersecting axes: x_i = ± z × w, and the origin is the normal's foot on w;
 - parallel axes: any normal will do; the one through the origin of frame i−1 makes d = 0;
-- the same axis twice: x_i stays as it is, d = a = 0.
+- the same axis twice: x_i stays as it is, and only α may turn z over.
 
 Of the two directions of x_i the one with the smaller offset is taken.  Frames that are all DH
 frames already stay.  The last frame has the tip's z axis for its next axis.  What is left over,
@@ -129,9 +129,9 @@ def _next_frame(seen: Transform, axis: Array) -> Transform:
         w = np.copysign(1.0, w[2]) * _Z
         across = np.array([p[0], p[1], 0.0])
         reach = float(np.linalg.norm(across))
-        x = across / reach if reach > ROUNDING * max(1.0, abs(float(p[2]))) else seen.R[:, 0]
-        x = np.array([x[0], x[1], 0.0])
-        x = x / np.linalg.norm(x) if x.any() else np.array([1.0, 0.0, 0.0])
+        # The same line twice: any x will do, so the one that makes the offset zero.
+        apart = reach > ROUNDING * max(1.0, abs(float(p[2])))
+        x = across / reach if apart else np.array([1.0, 0.0, 0.0])
         slide = -float(p[2] * w[2])
     if x[0] < -ROUNDING or (abs(x[0]) <= ROUNDING and x[1] < 0.0):
         x = -x
