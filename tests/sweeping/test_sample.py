@@ -7,6 +7,7 @@ import pytest
 from scipy import stats
 from scipy.stats import qmc
 
+from ur5check.sweeping import fused, philox, rows
 from ur5check.sweeping.sample import BLOCK, GridSample, RandomSample, blocks_of
 from ur5check.sweeping.sobol_sample import SobolSample
 from ur5check.worst_case.state_box import StateBox
@@ -51,12 +52,47 @@ class TestDrawn:
         assert (kind(BOX, 50, 5).block(0).qd != kind(BOX, 50, 6).block(0).qd).all()
 
 
-def test_philox_is_asked_with_seed_and_block():
+def test_philox_is_the_published_one():
+    """Known answers of Random123, the authors' own library (philox4x32, 10 rounds)."""
+    known = [
+        ([0] * 4, [0] * 2, "6627e8d5 e169c58d bc57ac4c 9b00dbd8"),
+        ([0xFFFFFFFF] * 4, [0xFFFFFFFF] * 2, "408f276d 41c83b0e a20bc7c6 6d5451fd"),
+        (
+            [0x243F6A88, 0x85A308D3, 0x13198A2E, 0x03707344],
+            [0xA4093822, 0x299F31D0],
+            "d16cfe09 94fdcceb 5001e420 24126ea1",
+        ),
+    ]
+    for counter, key, answer in known:
+        words = philox._ten_rounds([np.array([c], np.uint64) for c in counter], key)
+        assert " ".join(f"{int(word[0]):08x}" for word in words) == answer
+
+
+def test_philox_is_asked_with_seed_block_state_and_row():
     """The states are those of the documented generator, so that anyone can make them again."""
-    words = np.random.Generator(np.random.Philox(key=[7, 3])).bit_generator.random_raw(3 * BLOCK)
-    expected = (words.view("<u4").reshape(6, BLOCK)[0] + 0.5) * 2.0**-32
-    found = numbers(RandomSample(BOX, 4 * BLOCK, 7).block(3))[:, 0]
-    assert np.abs(found - expected).max() < 1e-15
+    found = numbers(RandomSample(BOX, 4 * BLOCK, 7).block(3))
+    counter = [np.array([c], np.uint64) for c in (11, 1, 3, 0)]  # state 11, rows 4 to 7, block 3
+    words = philox._ten_rounds(counter, [7, 0])
+    expected = [(float(word[0]) + 0.5) * 2.0**-32 for word in words[:2]]
+    assert np.abs(found[11, 4:6] - expected).max() < 1e-15
+
+
+@pytest.mark.parametrize(("seed", "block"), [(0, 0), (7, 3), (2**40 + 5, 2**33 + 1)])
+def test_compiled_numbers_are_the_same_to_the_bit(seed, block):
+    width, lower = np.linspace(1e-10, 3e-9, 6), np.linspace(-3.0, 7.0, 6)
+    ours = rows.drawn(seed, block, width, lower, 1000)
+    assert np.array_equal(fused.drawn(seed, block, width, lower, 1000), ours)
+    assert not np.array_equal(rows.drawn(seed + 1, block, width, lower, 1000), ours)
+    assert not np.array_equal(rows.drawn(seed, block + 1, width, lower, 1000), ours)
+
+
+def test_compiled_counts_are_the_same():
+    row = np.random.default_rng(3).normal(size=5000) * np.logspace(-14, 7, 5000)
+    ours, theirs = fused.row_tally(row, 1.0), rows.row_tally(row, 1.0)
+    assert (ours.where, ours.passed) == (theirs.where, theirs.passed)
+    assert np.array_equal(ours.bins, theirs.bins)
+    assert np.array_equal(ours.sizes, theirs.sizes)
+    assert abs(ours.square - theirs.square) <= 1e-13 * theirs.square
 
 
 @pytest.mark.parametrize("k", [0, 1, 2, 3, 6, 37])

@@ -24,6 +24,7 @@ from ur5check.sweeping.sweep import _free_box, sweep
 from ur5check.sweeping.tally import tally_of
 
 COUNT = 10_000
+ROUNDING = 1e-12  # [N m]: the kernel that a sweep runs and the recursion, on torques of 100 N m
 
 
 @pytest.fixture(scope="module")
@@ -41,8 +42,9 @@ def delta(found) -> np.ndarray:
 
 def test_root_mean_square_and_maximum(found, delta):
     assert found.count == COUNT
-    np.testing.assert_allclose(found.rms, np.sqrt((delta**2).mean(axis=0)), rtol=1e-13)
-    assert (found.maximum == np.abs(delta).max(axis=0)).all()
+    rms = np.sqrt((delta**2).mean(axis=0))
+    np.testing.assert_allclose(found.rms, rms, rtol=1e-12, atol=ROUNDING)
+    np.testing.assert_allclose(found.maximum, np.abs(delta).max(axis=0), rtol=0, atol=ROUNDING)
     assert (found.tally.worst == np.abs(delta).argmax(axis=0)).all()
 
 
@@ -83,7 +85,8 @@ def test_the_map_holds_the_largest_of_each_cell(found, delta):
             & (height < grid.heights()[row + 1])
         )
         assert inside.sum() == found.tally.visits[cell]
-        assert (np.abs(delta[inside]).max(axis=0) == found.tally.reach[:, cell]).all()
+        largest = np.abs(delta[inside]).max(axis=0)
+        np.testing.assert_allclose(found.tally.reach[:, cell], largest, rtol=0, atol=ROUNDING)
     assert (found.tally.reach.max(axis=1) == found.maximum).all()
 
 
@@ -201,7 +204,7 @@ def test_a_difference_that_is_no_number_is_refused():
             np.errstate(over="ignore"),
             pytest.raises(StateError, match="state 102: the torque difference of joint 2"),
         ):
-            tally_of(delta, states, 100, over=None, cell=np.zeros(4, int), cells=1, every=1)
+            tally_of(delta, states, 100, over=None)
 
 
 @pytest.mark.parametrize(

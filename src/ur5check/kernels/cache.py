@@ -13,6 +13,7 @@ import importlib.util
 import os
 import secrets
 import sys
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,8 @@ from ..errors import UsageError
 __all__ = ["cache_folder", "generated_module"]
 
 _VARIABLE = "UR5CHECK_CACHE"
+#: A thread must not be handed the module that another is still compiling.
+_ONE_AT_A_TIME = threading.Lock()
 _MARK = "# SHA-256 of what follows: "
 
 
@@ -50,7 +53,11 @@ def generated_module(key: str, source: Callable[[], str]) -> Any:
 
     key : what the source is made from, hashed;  source : makes its text, called only when needed
     """
-    name = f"ur5check_kernel_{key}"
+    with _ONE_AT_A_TIME:
+        return _found(f"ur5check_kernel_{key}", source)
+
+
+def _found(name: str, source: Callable[[], str]) -> Any:
     if name in sys.modules:
         return sys.modules[name]
     file = cache_folder() / f"{name}.py"

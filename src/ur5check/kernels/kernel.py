@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cache, lru_cache
 from importlib import metadata
 from typing import Any, Literal, get_args
 
@@ -123,7 +124,7 @@ class Kernel:
     def _ask(
         self, quantity: Any, arrays: dict[str, ArrayLike], layout: Layout, out: Array | None
     ) -> Array:
-        module = _module((self.arm,), quantity, self.path, lambda: trace(self.arm, quantity))
+        module = _module((self.arm,), quantity, self.path)
         return _run(module, self.arm, self.threads, arrays, layout, out)
 
 
@@ -147,16 +148,24 @@ class DifferenceKernel:
     ) -> Array:
         """τ_a − τ_b, shape (N, n) [N m]; arrays and errors as in `Kernel`."""
         arms = (self.a, self.b)
-        module = _module(arms, "difference", self.path, lambda: trace_difference(*arms))
+        module = _module(arms, "difference", self.path)
         arrays = {"q": q, "qd": qd, "qdd": qdd}
         return _run(module, self.a, self.threads, arrays, layout, out)
 
 
-def _module(
-    arms: tuple[SerialArm, ...], quantity: str, path: Path, program: Callable[[], Program]
-) -> Any:
+@lru_cache(maxsize=64)
+def _module(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> Any:
+    """The generated code of one arm, or of two and their difference.
+
+    Arms never change, so each is looked up once.
+    """
+
+    def source() -> str:
+        program = trace_difference(*arms) if len(arms) == 2 else trace(arms[0], quantity)
+        return _WRITERS[path](program)
+
     key = fingerprint(arms, quantity, path, _numba_version() or "", np.__version__)
-    return generated_module(f"{quantity}_{path}_{key}", lambda: _WRITERS[path](program()))
+    return generated_module(f"{quantity}_{path}_{key}", source)
 
 
 def _run(
@@ -199,6 +208,7 @@ def _checked(threads: int, path: Path | None) -> tuple[int, Path]:
     return threads, path
 
 
+@cache
 def _numba_version() -> str | None:
     try:
         return metadata.version("numba")

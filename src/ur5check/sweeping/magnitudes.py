@@ -21,17 +21,28 @@ from numpy.typing import NDArray
 
 from ..arm.transforms import Array
 
-__all__ = ["BINS", "RELATIVE_ERROR", "Counts", "bin_edges", "count_sizes", "quantile"]
+__all__ = [
+    "BINS",
+    "FIRST",
+    "HIGHEST",
+    "LOWEST",
+    "RELATIVE_ERROR",
+    "SHIFT",
+    "Counts",
+    "bin_edges",
+    "count_sizes",
+    "quantile",
+]
 
 Counts = NDArray[np.int64]
 
 _MANTISSA = 7  # bits of it that number a bin
-_SHIFT = 52 - _MANTISSA
-_LOWEST, _HIGHEST = 2.0**-40, 2.0**20  # [N m]
-_BELOW = float(np.nextafter(_LOWEST, 0.0))  # its bits are one bin below the first
-_FIRST = int(np.float64(_BELOW).view(np.int64)) >> _SHIFT
+SHIFT = 52 - _MANTISSA
+LOWEST, HIGHEST = 2.0**-40, 2.0**20  # [N m]
+_BELOW = float(np.nextafter(LOWEST, 0.0))  # its bits are one bin below the first
+FIRST = int(np.float64(_BELOW).view(np.int64)) >> SHIFT
 
-BINS = (int(np.float64(_HIGHEST).view(np.int64)) >> _SHIFT) - _FIRST + 1
+BINS = (int(np.float64(HIGHEST).view(np.int64)) >> SHIFT) - FIRST + 1
 
 #: Half a bin, by the smallest value in it.
 RELATIVE_ERROR = 2.0 ** -(_MANTISSA + 1)
@@ -39,15 +50,15 @@ RELATIVE_ERROR = 2.0 ** -(_MANTISSA + 1)
 
 def count_sizes(sizes: Array) -> Counts:
     """The histogram of sizes, shape (N,), none negative: counts of shape (BINS,)."""
-    bins = np.clip(sizes, _BELOW, _HIGHEST).view(np.int64)
-    bins >>= _SHIFT
-    bins -= _FIRST
+    bins = np.clip(sizes, _BELOW, HIGHEST).view(np.int64)
+    bins >>= SHIFT
+    bins -= FIRST
     return np.bincount(bins, minlength=BINS)
 
 
 def bin_edges() -> Array:
     """Lower edges of all bins and the upper edge of the last, shape (BINS + 1,): 0 … ∞."""
-    edges = ((_FIRST + np.arange(BINS + 1)) << _SHIFT).view(np.float64)
+    edges = ((FIRST + np.arange(BINS + 1)) << SHIFT).view(np.float64)
     edges[0], edges[-1] = 0.0, np.inf
     return edges
 

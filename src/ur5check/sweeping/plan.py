@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arm.serial_arm import SerialArm, Source
-from ..arm.states import States
 from ..arm.transforms import Array
 from ..comparison.pair import Pair
 from ..errors import UsageError
@@ -54,24 +53,22 @@ class Plan:
         return _difference(self).engine
 
     def tally(self, start: int, stop: int) -> Tally:
-        """Blocks start … stop − 1, one after the other."""
-        return merged(self._tally(k) for k in range(start, stop))
+        """Blocks start … stop − 1, one after the other; their map is drawn at the end, at once."""
+        seen: list[tuple[Array, Array]] = []
+        total = merged(self._tally(k, seen) for k in range(start, stop))
+        q, sizes = (np.concatenate(part) for part in zip(*seen, strict=True))
+        return total.on_map(self.cells_of(q), sizes, self.grid.cells)
 
-    def _tally(self, k: int) -> Tally:
+    def _tally(self, k: int, seen: list[tuple[Array, Array]]) -> Tally:
+        """Block k without its map; what the map will want of it is put by."""
         states = self.sample.block(k)
-        return tally_of(
-            _difference(self).of(states.q, states.qd, states.qdd),
-            states,
-            BLOCK * k,
-            over=self.over,
-            cell=self.cells_of(states),
-            cells=self.grid.cells,
-            every=self.map_every,
-        )
+        delta = _difference(self).of(states.q, states.qd, states.qdd)
+        seen.append((states.q[:: self.map_every].copy(), np.abs(delta[:: self.map_every])))
+        return tally_of(delta, states, BLOCK * k, over=self.over)
 
-    def cells_of(self, states: States) -> NDArray[np.intp]:
-        """Where the tool is, for those states that the map sees."""
-        return self.grid.cell(tool_position(self.a, states.q[:: self.map_every]))
+    def cells_of(self, q: Array) -> NDArray[np.intp]:
+        """Where the tool is at these positions, shape (N, n)."""
+        return self.grid.cell(tool_position(self.a, q))
 
     def description(self) -> dict[str, Any]:
         """The same as plain values, by what a user would call them."""

@@ -6,7 +6,6 @@ Its size is part of what "the same states" means, and no option changes it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -14,7 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arm.states import States
+from ..arm.transforms import Array
 from ..worst_case.state_box import StateBox
+from .loops import drawn
+from .rows import placed
 
 __all__ = ["BLOCK", "GridSample", "RandomSample", "Sample", "blocks_of", "box_value", "in_box"]
 
@@ -45,9 +47,9 @@ def blocks_of(sample: Sample) -> int:
 
 @dataclass(frozen=True, eq=False)
 class RandomSample:
-    """Uniform in a box.  Philox is a function of (seed, block) and a counter: no stream of numbers
-    runs through the blocks [Salmon et al. 2011].  Its 32-bit words place a state on a raster of
-    2⁻³² of the box.
+    """Uniform in a box.  Philox is a function of (seed, block) and a counter (`philox`): no stream
+    of numbers runs through the blocks.  Its 32-bit words place a state on a raster of 2⁻³² of the
+    box.
     """
 
     box: StateBox
@@ -55,14 +57,8 @@ class RandomSample:
     seed: int
 
     def block(self, k: int) -> States:
-        philox = np.random.Philox(key=np.array([self.seed, k], np.uint64))
         length = _length(self, k)  # a short last block is the beginning of a whole one
-
-        def row(_: int) -> NDArray[np.uint32]:
-            words = philox.random_raw(BLOCK // 2).astype("<u8", copy=False).view("<u4")
-            return words[:length]
-
-        return in_box(self.box, row, length, raster=2.0**-32)
+        return _states(drawn(self.seed, k, *_cells(self.box, 2.0**-32), length))
 
     def description(self) -> dict[str, Any]:
         return {"kind": "random", "seed": self.seed, "box": box_value(self.box)}
@@ -98,21 +94,21 @@ class GridSample:
         return {"kind": "grid", "levels": self.levels, "box": box}
 
 
-def in_box(
-    box: StateBox, row: Callable[[int], NDArray[Any]], count: int, *, raster: float
-) -> States:
-    """`count` states from 3 n rows of whole numbers 0 … 1/raster − 1, asked for one by one.
+def in_box(box: StateBox, words: NDArray[Any], *, raster: float) -> States:
+    """States from whole numbers 0 … 1/raster − 1, shape (3 n, N)."""
+    return _states(placed(words, *_cells(box, raster)))
 
-    A number stands for the middle of its cell.
-    """
-    n = len(box.lower)
+
+def _cells(box: StateBox, raster: float) -> tuple[Array, Array]:
+    """Width of a cell of the box and the middle of the first, per row of 3 n."""
     lower = np.concatenate([box.lower, -box.rate, -box.acceleration])
-    width = np.concatenate([box.upper - box.lower, 2.0 * box.rate, 2.0 * box.acceleration])
-    values = np.empty((3 * n, count))
-    for i, value in enumerate(values):
-        np.multiply(row(i), width[i] * raster, out=value)
-        value += lower[i] + 0.5 * raster * width[i]
-    return States(values[:n].T, values[n : 2 * n].T, values[2 * n :].T)
+    width = np.concatenate([box.upper - box.lower, 2.0 * box.rate, 2.0 * box.acceleration]) * raster
+    return width, lower + 0.5 * width
+
+
+def _states(values: Array) -> States:
+    q, qd, qdd = np.split(values, 3)
+    return States(q.T, qd.T, qdd.T)
 
 
 def box_value(box: StateBox) -> dict[str, Any]:

@@ -42,7 +42,7 @@ class SobolSample:
         chosen = [b for b in range(_BITS) if gray >> b & 1]
         jump = np.bitwise_xor.reduce(directions[:, chosen], axis=1)
         length = min(BLOCK, self.count - start)
-        return in_box(self.box, lambda i: first[i, :length] ^ jump[i], length, raster=2.0**-_BITS)
+        return in_box(self.box, first[:, :length] ^ jump[:, None], raster=2.0**-_BITS)
 
     def description(self) -> dict[str, Any]:
         return {"kind": "sobol", "seed": self.seed, "box": box_value(self.box)}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,8 @@ from ..arm.states import States
 from ..arm.transforms import Array
 from ..errors import StateError
 from .exact import exact
-from .magnitudes import BINS, Counts, count_sizes
+from .loops import row_tally
+from .magnitudes import BINS, Counts
 
 __all__ = ["Tally", "merged", "tally_of"]
 
@@ -63,8 +64,18 @@ class Tally:
             np.add(self.bins, other.bins, out=self.bins if spend else None),
             self.over + other.over,
             self.visits + other.visits,
-            np.maximum(self.reach, other.reach, out=self.reach if spend else None),
+            np.maximum(self.reach, other.reach),
         )
+
+    def on_map(self, cell: NDArray[np.intp], sizes: Array, cells: int) -> Tally:
+        """The same with a map of so many cells.
+
+        cell : where the tool is, shape (N,);  sizes : |Δτ| there, shape (N, n)
+        """
+        reach = np.zeros((sizes.shape[1], cells))
+        for row, column in zip(reach, sizes.T, strict=True):
+            np.maximum.at(row, cell, column)
+        return replace(self, visits=np.bincount(cell, minlength=cells), reach=reach)
 
 
 def merged(tallies: Iterable[Tally]) -> Tally:
@@ -82,39 +93,30 @@ def tally_of(
     first: int,
     *,
     over: Array | None,
-    cell: NDArray[np.intp],
-    cells: int,
-    every: int,
 ) -> Tally:
-    """The record of one block, a joint at a time: few passes over a row that stays in the cache.
+    """The record of one block without a map, a joint at a time: a row stays in the cache.
 
     delta : Δτ, shape (N, n) [N m];  first : index of the block's first state
     over : the limit per joint, shape (n,) [N m]; None if none was asked for
-    cell : where the tool of every `every`-th state is, on a map of `cells` cells
 
     Raises StateError for a difference that is no finite number.
     """
     count, n = delta.shape
     squares = []
     where, passed = np.zeros(n, np.int64), np.zeros(n, np.int64)
-    maximum, bins, reach = np.zeros(n), np.zeros((n, BINS), np.int64), np.zeros((n, cells))
+    maximum, bins = np.zeros(n), np.zeros((n, BINS), np.int64)
     for j in range(n):
-        sizes = np.abs(delta[:, j])
-        where[j] = sizes.argmax()  # the first of equal ones; or what is no number
+        row = np.ascontiguousarray(delta[:, j])
+        sizes, where[j], square, bins[j], passed[j] = row_tally(
+            row, np.inf if over is None else over[j]
+        )
         maximum[j] = sizes[where[j]]
-        square = float(np.square(sizes).sum())
         if not math.isfinite(square):
             raise StateError(
                 f"state {first + int(where[j])}: the torque difference of joint {j + 1} is "
                 f"{delta[where[j], j]} N m, beyond all computing; look at this state's numbers"
             )
         squares.append(exact(square))
-        bins[j] = count_sizes(sizes)
-        if over is not None:
-            passed[j] = np.count_nonzero(sizes > over[j])
-        np.maximum.at(reach[j], cell, sizes[::every])
     worst_states = np.stack([part[where] for part in (states.q, states.qd, states.qdd)], axis=1)
-    visits = np.bincount(cell, minlength=cells)
-    return Tally(
-        count, tuple(squares), maximum, first + where, worst_states, bins, passed, visits, reach
-    )
+    no_map = np.zeros(0, np.int64), np.zeros((n, 0))
+    return Tally(count, tuple(squares), maximum, first + where, worst_states, bins, passed, *no_map)

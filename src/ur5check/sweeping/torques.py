@@ -10,6 +10,7 @@ import numpy as np
 from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array
 from ..dynamics.newton_euler import rnea
+from ..kernels.kernel import compile_difference, default_path
 
 __all__ = ["TorqueDifference", "torque_difference"]
 
@@ -28,7 +29,14 @@ class TorqueDifference:
 
 
 def torque_difference(a: SerialArm, b: SerialArm) -> TorqueDifference:
-    """By the hand-written recursion on NumPy arrays."""
+    """By a kernel of the difference where Numba is installed, else by the recursion on NumPy."""
+    if default_path() == "numba":
+        kernel = compile_difference(a, b, path="numba")
+
+        def compiled(q: Array, qd: Array, qdd: Array) -> Array:
+            return kernel(q.T, qd.T, qdd.T, layout="joints").T
+
+        return TorqueDifference("numba", compiled)
 
     def difference(q: Array, qd: Array, qdd: Array) -> Array:
         return np.asarray(rnea(a, q, qd, qdd) - rnea(b, q, qd, qdd))

@@ -1,0 +1,31 @@
+"""Which inner loops a sweep runs: Numba's where it is installed, as for torques; else NumPy's."""
+
+from __future__ import annotations
+
+from ..arm.transforms import Array
+from ..kernels.kernel import default_path
+from . import rows
+from .rows import RowTally
+
+__all__ = ["drawn", "row_tally"]
+
+
+def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Array:
+    """Random numbers of a block, shape (rows, length): to the bit the same whoever draws them.
+
+    width, lower : of each row, shape (rows,); a word w of 32 bits becomes w · width + lower
+    """
+    if default_path() == "numba":
+        from . import fused
+
+        return fused.drawn(seed, block, width, lower, length)
+    return rows.drawn(seed, block, width, lower, length)
+
+
+def row_tally(row: Array, over: float) -> RowTally:
+    """What is counted of one joint's Δτ, shape (N,), contiguous [N m]."""
+    if default_path() == "numba":
+        from . import fused
+
+        return fused.row_tally(row, over)
+    return rows.row_tally(row, over)
