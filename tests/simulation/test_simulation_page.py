@@ -24,7 +24,7 @@ PAGE = (DOCS / "simulation.md").read_text(encoding="utf-8")
 COMMANDS = re.search(r"```sh\n(.*?)```", PAGE, re.DOTALL).group(1).splitlines()
 
 
-@pytest.mark.parametrize(("command", "code"), zip(COMMANDS, (1, 0), strict=True))
+@pytest.mark.parametrize(("command", "code"), list(zip(COMMANDS, (1, 0), strict=True)))
 def test_commands_run(command, code, capsys):
     _, *arguments = shlex.split(command)
     assert main(arguments) == code
