@@ -157,7 +157,13 @@ def loaded_after(statement: str) -> set[str]:
 
 
 def test_importing_ur5check_loads_nothing_heavy():
-    assert not loaded_after("import ur5check") & {"numpy", "pinocchio", "xacro", "yourdfpy", "rich"}
+    heavy = {"numpy", "pinocchio", "xacro", "yourdfpy", "rich", "sympy", "numba", *ENGINES}
+    assert not loaded_after("import ur5check") & heavy
+
+
+def test_the_registry_of_engines_loads_none_of_them():
+    asked = "from ur5check.engines.registry import installed; installed()"
+    assert not loaded_after(asked) & set(ENGINES)
 
 
 def test_public_names_are_all_there():

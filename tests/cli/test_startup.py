@@ -13,7 +13,10 @@ from ur5check.cli.main import COMMANDS
 if TYPE_CHECKING:
     from .conftest import Command
 
-HEAVY = ("numpy", "pinocchio", "mujoco", "rich", "lxml", "yourdfpy", "xacro", "hypothesis")
+HEAVY = (
+    "numpy", "pinocchio", "mujoco", "pydrake", "dartpy", "idyntree", "rich", "lxml", "yourdfpy",
+    "xacro", "hypothesis", "numba", "jax", "distributed", "pyarrow", "sympy", "matplotlib", "scipy",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize(
