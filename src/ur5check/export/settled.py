@@ -28,6 +28,7 @@ _DECIMALS = 15
 # three products, by a matrix that is orthogonal to about ε: some 8 ε of the largest length or
 # moment involved, at most.  A grid must be twice as wide, to be felt by nobody's rounding.
 _MOVED = 20 * _EPS
+_NO_LENGTH = 1e-30  # [m]: below it a grid would meet the smallest doubles, and nothing else
 _PATIENCE = 8  # ways there and back; the first stays, unless a number stood between two grid points
 
 Numbers = tuple[float, ...]
@@ -120,7 +121,9 @@ def on_grid(here: Inertia, way: Transform) -> Inertia:
     length = max(float(np.abs(vector).max()) for vector in (start, here.com, way.p))
     largest = float(np.abs(here.tensor).max())
     return Inertia(
-        here.mass, _on_grid(here.com, _MOVED * length), _on_grid(here.tensor, _MOVED * largest)
+        here.mass,
+        _on_grid(here.com, max(_MOVED * length, _NO_LENGTH)),
+        _on_grid(here.tensor, _MOVED * largest),
     )
 
 
