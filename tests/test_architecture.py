@@ -32,7 +32,9 @@ MAY_IMPORT = {
     "worst_case": {"arm", "dynamics", "comparison", "engines", "errors"},
     "closed_form": {"arm", "dynamics", "errors", "version"},
     "kernels": {"arm", "dynamics", "closed_form", "errors", "version"},
-    "sweeping": {"arm", "sources", "dynamics", "kernels", "comparison", "worst_case", "errors", "version"},
+    "sweeping": {
+        "arm", "sources", "dynamics", "kernels", "comparison", "worst_case", "errors", "version",
+    },
     "parity": {"arm", "sources", "dynamics", "engines", "comparison", "worst_case", "errors"},
     "explanation": {
         "arm", "comparison", "plausibility", "identifiability", "digits", "diagnosis", "worst_case",
@@ -47,8 +49,8 @@ MAY_IMPORT = {
     "checks": {"arm", "dynamics", "sources", "engines", "comparison", "errors"},
     "reports": {
         "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
-        "worst_case", "sweeping", "closed_form", "explanation", "paper", "checks", "engines", "parity",
-        "simulation", "errors", "version",
+        "worst_case", "sweeping", "closed_form", "explanation", "paper", "checks", "engines",
+        "parity", "simulation", "errors", "version",
     },
     "cli": {
         "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
