@@ -57,7 +57,9 @@ def test_a_command_runs(command, desk, capsys):
     _, *arguments = shlex.split(command)
     if arguments[0] == "sweep":
         arguments = [word for word in arguments if word not in ("--states", "1e6")]
-    assert main([*arguments, *FASTER.get(arguments[0], []), "--quiet"]) == EXPECTED.get(arguments[0], 0)
+    assert main([*arguments, *FASTER.get(arguments[0], []), "--quiet"]) == EXPECTED.get(
+        arguments[0], 0
+    )
     if "-o" not in arguments:
         assert capsys.readouterr().out
 
