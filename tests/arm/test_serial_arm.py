@@ -3,6 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import ur5check
 from examples import random_arm
 from ur5check.arm import Joint, SerialArm
 from ur5check.arm.states import random_states
@@ -41,3 +42,15 @@ def test_states_come_from_their_seed():
 def test_no_states_and_no_seed_are_refused(count, seed):
     with pytest.raises(UsageError):
         random_states(3, count, seed)
+
+
+def test_an_arm_with_other_numbers_is_no_longer_its_file():
+    arm = ur5check.load("appendix")
+    assert arm.source.urdf is not None
+    for changed in (
+        arm.with_inertias([link.inertia for link in arm.links]),
+        arm.with_armature([0.1] * 6),
+    ):
+        assert changed.source.urdf is None
+        assert changed.source.inputs == arm.source.inputs
+    assert arm.with_gravity((0, 0, -1.62)).source.urdf == arm.source.urdf

@@ -126,6 +126,10 @@ class Source:
     tip: str = "tool"
     notes: tuple[str, ...] = ()
 
+    def as_value(self) -> Source:
+        """The same origin without the text or model, for an arm whose numbers were changed."""
+        return replace(self, urdf=None, model=None)
+
 
 @dataclass(frozen=True, eq=False)
 class SerialArm:
@@ -167,12 +171,15 @@ class SerialArm:
         return np.concatenate([link.inertia.parameters() for link in self.links])
 
     def with_inertias(self, inertias: Sequence[Inertia]) -> SerialArm:
-        """The same chain carrying other inertias, given in the frames i."""
+        """The same chain carrying other inertias, given in the frames i.
+
+        It is no longer what its file or `pin.Model` says: no engine shall read it from there.
+        """
         links = tuple(
             replace(link, inertia=inertia)
             for link, inertia in zip(self.links, inertias, strict=True)
         )
-        return replace(self, links=links)
+        return replace(self, links=links, source=self.source.as_value())
 
     @property
     def armature(self) -> Array:
@@ -185,7 +192,7 @@ class SerialArm:
             replace(joint, armature=float(value))
             for joint, value in zip(self.joints, armature, strict=True)
         )
-        return replace(self, joints=joints)
+        return replace(self, joints=joints, source=self.source.as_value())
 
     def with_gravity(self, gravity: Sequence[float] | Array) -> SerialArm:
         """The same arm under another gravity, in its base frame [m/s²]."""
