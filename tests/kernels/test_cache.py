@@ -55,6 +55,13 @@ def test_a_folder_that_others_may_write_is_refused(folder):
         cache_folder()
 
 
+def test_a_folder_that_cannot_be_made_is_said(folder, monkeypatch):
+    folder.parent.joinpath("file").touch()
+    monkeypatch.setenv("UR5CHECK_CACHE", str(folder.parent / "file" / "cache"))
+    with pytest.raises(UsageError, match="UR5CHECK_CACHE"):
+        cache_folder()
+
+
 def test_a_new_folder_is_for_the_user_only(folder):
     assert cache_folder().stat().st_mode & 0o777 == 0o700
 
@@ -74,3 +81,10 @@ def test_a_fingerprint_knows_every_number_and_no_name():
     ]
     assert len({known, *others}) == 7
     assert fingerprint([ur5.load("paper")], "tau") == known
+
+
+def test_a_fingerprint_knows_the_code_that_generates(monkeypatch):
+    arm = ur5.load("paper")
+    known = fingerprint([arm], "tau")
+    monkeypatch.setattr("ur5check.kernels.fingerprint._makers", lambda: "another recursion")
+    assert fingerprint([arm], "tau") != known

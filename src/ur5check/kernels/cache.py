@@ -33,13 +33,19 @@ def cache_folder() -> Path:
 
     $UR5CHECK_CACHE, or `ur5check` under $XDG_CACHE_HOME or ~/.cache.
 
-    Raises UsageError if others own it or may write into it.
+    Raises UsageError if it cannot be made, or others own it or may write into it.
     """
     given = os.environ.get(_VARIABLE)
     root = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     folder = Path(given) if given else Path(root) / "ur5check"
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    state = folder.stat()
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        state = folder.stat()
+    except OSError as error:
+        raise UsageError(
+            f"{folder}: generated code cannot be kept there ({error.strerror}); set {_VARIABLE} to "
+            "a folder of your own"
+        ) from None
     if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o022):
         raise UsageError(
             f"{folder}: others may write generated code there; chmod 700 it, or set {_VARIABLE} to "

@@ -1,9 +1,11 @@
-"""The numbers of an arm that its dynamics depend on, as one hash."""
+"""What generated code depends on, as one hash: an arm's numbers, and the code that generates."""
 
 from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 
@@ -12,13 +14,16 @@ from ..version import __version__
 
 __all__ = ["fingerprint"]
 
+#: Rooms whose code a kernel is made by.
+_MAKERS = ("dynamics", "closed_form", "kernels")
+
 
 def fingerprint(arms: Iterable[SerialArm], *words: str) -> str:
     """A hash of the arms' geometry, inertias, motors and gravity, and of `words`.
 
     Names and limits are no part of it: they change no torque.
     """
-    digest = hashlib.sha256("\0".join([__version__, *words]).encode())
+    digest = hashlib.sha256("\0".join([__version__, _makers(), *words]).encode())
     for arm in arms:
         digest.update(f"arm {arm.n}".encode())
         for values in (arm.base.matrix(), arm.gravity, arm.parameters(), arm.armature):
@@ -28,3 +33,14 @@ def fingerprint(arms: Iterable[SerialArm], *words: str) -> str:
             digest.update(np.ascontiguousarray(joint.axis).tobytes())
             digest.update(np.ascontiguousarray(link.far_end.matrix()).tobytes())
     return digest.hexdigest()[:32]
+
+
+@cache
+def _makers() -> str:
+    """A hash of the code itself: between two releases it changes, and the version does not."""
+    package = Path(__file__).parents[1]
+    digest = hashlib.sha256()
+    for room in _MAKERS:
+        for file in sorted((package / room).glob("*.py")):
+            digest.update(file.read_bytes())
+    return digest.hexdigest()
