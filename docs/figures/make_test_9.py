@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from matplotlib.figure import Figure
+
 import ur5check
 from ur5check.figures.files import as_png, as_svg
 from ur5check.figures.standing_figure import draw_standing
@@ -14,6 +16,7 @@ from ur5check.paper.cases import case
 from ur5check.simulation.standing import Standing, stand
 
 HERE = Path(__file__).resolve().parent
+MODELS = ("paper-listing", "appendix")
 
 
 def measure(model: str) -> Standing:
@@ -22,12 +25,16 @@ def measure(model: str) -> Standing:
     return stand(plant, ur5check.load(model), q, engine="mujoco")
 
 
+def figures() -> dict[str, Figure]:
+    """What each file shows, by its name without a suffix."""
+    return {f"test-9-{model}": draw_standing(measure(model)) for model in MODELS}
+
+
 def main() -> None:
     """Write all four files."""
-    for model in ("paper-listing", "appendix"):
-        figure = draw_standing(measure(model))
-        (HERE / f"test-9-{model}.svg").write_bytes(as_svg(figure))
-        (HERE / f"test-9-{model}.png").write_bytes(as_png(figure))
+    for name, figure in figures().items():
+        (HERE / f"{name}.svg").write_bytes(as_svg(figure))
+        (HERE / f"{name}.png").write_bytes(as_png(figure))
 
 
 if __name__ == "__main__":

@@ -61,7 +61,14 @@ def _arm(axes: Axes, s: Standing) -> None:
     axes.margins(0.12)
     axes.set_axis_off()
     said = "the start, and the same after it" if s.stands else f"the start, and {until:.2g} s of it"
-    axes.text(0.0, -0.04, f"side view: {said}", transform=axes.transAxes, color=GREY)
+    axes.text(
+        0.0,
+        -0.04,
+        f"side view: {said}\ngrey line: the height of the base",
+        transform=axes.transAxes,
+        va="top",
+        color=GREY,
+    )
 
 
 def _drift(axes: Axes, s: Standing) -> None:
