@@ -5,7 +5,6 @@ python docs/figures/make_convergence.py
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 import ur5check
@@ -13,18 +12,16 @@ from ur5check.comparison.pair import pair_up
 from ur5check.figures.convergence_figure import draw_convergence
 from ur5check.figures.files import as_png, as_svg
 from ur5check.paper.cases import case
-from ur5check.simulation.convergence import HALVINGS, OWN_HALVINGS, Convergence, convergence
+from ur5check.simulation.convergence import Convergence, convergence
 
 HERE = Path(__file__).resolve().parent
 
 
-def measure(
-    halvings: Sequence[int] = HALVINGS, own_halvings: Sequence[int] = OWN_HALVINGS
-) -> Convergence:
+def measure() -> Convergence:
     """Test 9 again: the appendix's arm under the torques that hold the paper's Table 1, for 1 s."""
     plant, q = ur5check.load("appendix"), case(9).joint_angles()[0]
     tau = ur5check.gravity_torque(pair_up(plant, ur5check.load("paper")).b, q)
-    return convergence(plant, q, tau, halvings=halvings, own_halvings=own_halvings, say=print)
+    return convergence(plant, q, tau, say=print)
 
 
 def main() -> None:
