@@ -32,6 +32,9 @@ MAY_IMPORT = {
     "worst_case": {"arm", "dynamics", "comparison", "engines", "errors"},
     "closed_form": {"arm", "dynamics", "errors", "version"},
     "kernels": {"arm", "dynamics", "closed_form", "errors", "version"},
+    "benchmarking": {
+        "arm", "sources", "dynamics", "engines", "closed_form", "kernels", "export", "errors",
+    },
     "sweeping": {
         "arm", "sources", "dynamics", "kernels", "comparison", "worst_case", "errors", "version",
     },
@@ -50,18 +53,21 @@ MAY_IMPORT = {
     "reports": {
         "arm", "sources", "comparison", "plausibility", "identifiability", "digits", "diagnosis",
         "worst_case", "sweeping", "closed_form", "explanation", "paper", "checks", "engines",
+        "benchmarking",
         "parity", "simulation", "errors", "version",
     },
     "cli": {
         "arm", "sources", "engines", "comparison", "diagnosis", "explanation", "paper", "checks",
         "export", "figures", "handover", "sweeping", "parity", "closed_form", "simulation",
-        "reports", "errors", "version",
+        "benchmarking", "reports", "errors", "version",
     },
 }  # fmt: skip
 
 #: Third-party engines, and the files that may import them.
 ENGINES = {
-    "pinocchio": {"engines/pinocchio.py", "sources/pinocchio_model.py"},
+    "pinocchio": {
+        "engines/pinocchio.py", "sources/pinocchio_model.py", "benchmarking/pinocchio_calls.py",
+    },
     "mujoco": {"engines/mujoco.py", "sources/mjcf_file.py"},
     "pydrake": {"engines/drake.py", "sources/sdf_file.py"},
     "dartpy": {"engines/dart.py"},

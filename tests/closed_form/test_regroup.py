@@ -13,7 +13,10 @@ import ur5check
 from examples import random_arm
 from ur5check import strategies
 from ur5check.arm import Transform
-from ur5check.closed_form.regroup import slid
+from ur5check.benchmarking.growth import chain
+from ur5check.closed_form import regroup, wishes
+from ur5check.closed_form.regroup import regroupings, slid
+from ur5check.closed_form.trace import trace
 from ur5check.closed_form.wishes import Unseen, Wish
 
 ARMS = ("paper", "appendix", "erd-ur5", "random")
@@ -57,6 +60,26 @@ def test_torques_stay_whatever_the_arm(arm_and_states):
         *(np.linalg.norm(Unseen(arm).triangle @ p) for p in (pi, arm.parameters())), rtol=1e-12
     )
     assert largest_change(arm, pi) < 1e-12
+
+
+@pytest.mark.parametrize("n", [8, 9, 12])
+def test_wishes_that_all_but_depend_on_each_other_do_not_add_up(n):
+    """Along a chain their remainders multiply: here by 1e14, though each is above a thousandth."""
+    arm = chain(n, seed=0)
+    at = states(arm, 20)
+    tau = ur5check.rnea(arm, at.q, at.qd, at.qdd)
+    found = trace(arm, "tau", tries=0).evaluate(at.q, at.qd, at.qdd)
+    assert np.abs(found - tau).max() < 1e-12 * np.abs(tau).max()
+
+
+def test_a_regrouping_that_changes_torques_is_refused(monkeypatch):
+    monkeypatch.setattr(wishes, "_AMPLIFIED", 1e20)
+    monkeypatch.setattr(regroup, "_LOUDER", 1e20)
+    arm = slid(chain(9, seed=0))
+    every = [Wish(link, *names) for link in reversed(range(9)) for names in regroup._WISHES]
+    assert largest_change(arm, Unseen(arm).parameters(every)) > 1e-6
+    prices = iter((2, 1))  # the arm's own chain, and one that would be cheaper
+    assert len(regroupings(arm, lambda chain: next(prices), tries=0)) == 1
 
 
 def test_as_many_numbers_go_as_no_torque_sees():

@@ -36,6 +36,10 @@ _PARALLEL = 1e-9  # sine of an angle between axes; rounded angles are finer
 #: must cancel, and takes more than two digits along.
 _LOUDER = 100.0
 
+#: What rounding may change of the torques, as a part of what the parameters make alone: ε, summed
+#: over some hundred terms that are louder by `_LOUDER`.
+_CHANGED = 1e-12
+
 #: What we wish of a link, in an order that does well: moments, first moments, mass, products.
 _WISHES = (
     ("Ixx",), ("Iyy",), ("Izz",), ("mx",), ("my",), ("mz",), ("m",), ("Ixy",), ("Ixz",), ("Iyz",),
@@ -64,7 +68,7 @@ def regroupings(
         if attempt > 0:
             wishes.insert(rng.randrange(directions), wishes.pop(rng.randrange(len(wishes))))
         pi = unseen.parameters(wishes)
-        if unseen.loudness(pi) > loud:
+        if unseen.loudness(pi) > loud or unseen.change(pi) > _CHANGED:
             continue
         chain = moments_chain(arm, pi)
         operations = cost(chain)

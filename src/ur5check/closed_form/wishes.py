@@ -30,9 +30,9 @@ _EPS = float(np.finfo(np.float64).eps)
 #: Part of the largest singular value below which a direction is rounding: ε, summed over columns.
 _ROUNDING = _EPS
 
-#: A wish is independent of those before it if at least this much of it is new; less would amplify
-#: rounding by its inverse.
-_INDEPENDENT = 1e-3
+#: A wish is independent of those before it if it may be granted without any of them amplifying
+#: rounding by more than this.
+_AMPLIFIED = 1e3
 
 #: Torque that a parameter must make, of the whole, to be more than the rounding of a zero.
 _DUST = 64 * _EPS
@@ -82,20 +82,37 @@ class Unseen:
         """Σ of the torques that each parameter makes alone: what rounding is a part of."""
         return float(np.linalg.norm(self.triangle, axis=0) @ np.abs(pi))
 
+    def change(self, pi: Array) -> float:
+        """How far torques with parameters π' are from the arm's own, as a part of its loudness."""
+        own = self.arm.parameters()
+        return float(np.linalg.norm(self.triangle @ (pi - own))) / (self.loudness(own) or 1.0)
+
     def granted(self, wishes: Sequence[Wish]) -> list[Wish]:
-        """The first wishes that can all be granted, at most one a direction."""
+        """The first wishes that can all be granted, at most one a direction.
+
+        Rows of the null space, made orthogonal one by one: rows = L · spanned.  L⁻¹ says how far
+        directions must go to fulfil the wishes, however many nearly depend on each other: along a
+        chain, small remainders multiply.
+        """
         granted: list[Wish] = []
         spanned = np.zeros((0, self.null_space.shape[1]))
+        inverse = np.zeros((0, 0))  # of L
         for wish in wishes:
             if len(spanned) == spanned.shape[1]:
                 break
             first, *second = (self.null_space[place] for place in wish.places)
-            row = first - second[0] if second else first
+            rest = first - second[0] if second else first
+            along = np.zeros(len(spanned))
             for _ in range(2):  # twice is enough (Kahan, Parlett) to stay orthogonal to rounding
-                row = row - (spanned @ row) @ spanned
-            size = float(np.linalg.norm(row))
-            if size > _INDEPENDENT:
-                spanned = np.vstack([spanned, row / size])
+                step = spanned @ rest
+                along, rest = along + step, rest - step @ spanned
+            size = float(np.linalg.norm(rest))
+            farthest = np.append(-along @ inverse, 1.0)
+            if np.linalg.norm(farthest) < _AMPLIFIED * size:
+                spanned = np.vstack([spanned, rest / size])
+                inverse = np.vstack(
+                    [np.pad(inverse, ((0, 0), (0, 1))), farthest / size],
+                )
                 granted.append(wish)
         return granted
 

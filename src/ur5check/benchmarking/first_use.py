@@ -1,0 +1,62 @@
+"""What the first call of a kernel costs: with nothing on disk, and with its code kept there.
+
+Each is measured in a process of its own (`first_call`).
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+from dataclasses import replace
+
+from ..arm.serial_arm import SerialArm, Source
+from ..kernels.kernel import default_path
+from .result import Chapter, Comparison
+from .timing import ranked
+
+__all__ = ["first_use"]
+
+_QUANTITIES = ("rnea", "mass_matrix", "coriolis_matrix", "gravity_torque", "torque_regressor")
+_MOST = 3  # rounds; a compilation takes seconds, and scatters little
+IMPORT, COLD, WARM = "import of NumPy and Numba", "nothing on disk", "code on disk"
+
+
+def first_use(arm: SerialArm, rounds: int) -> Chapter:
+    """One comparison a quantity."""
+    text = pickle.dumps(replace(arm, source=Source()))
+    return Chapter(
+        "first-use",
+        "The first call of a kernel",
+        "process",
+        f"By {'Numba' if default_path() == 'numba' else 'NumPy'}, in a new process each time, "
+        "without the import of NumPy and Numba, which is given apart.",
+        tuple(_compared(name, text, min(rounds, _MOST)) for name in _QUANTITIES),
+        series=True,
+    )
+
+
+def _compared(quantity: str, arm: bytes, rounds: int) -> Comparison:
+    times: dict[str, list[float]] = {IMPORT: [], COLD: [], WARM: []}
+    for _ in range(rounds):
+        with tempfile.TemporaryDirectory() as folder:
+            for kind in (COLD, WARM):
+                imports, seconds = _in_a_process(quantity, arm, folder)
+                times[IMPORT].append(imports)
+                times[kind].append(seconds)
+    return ranked(quantity, list(times), list(times.values()))
+
+
+def _in_a_process(quantity: str, arm: bytes, folder: str) -> tuple[float, float]:
+    done = subprocess.run(  # noqa: S603 - this interpreter, a file of ours
+        [sys.executable, "-m", f"{__package__}.first_call", quantity],
+        input=arm,
+        stdout=subprocess.PIPE,
+        env={**os.environ, "UR5CHECK_CACHE": folder},
+        check=True,
+    )
+    imports, seconds = json.loads(done.stdout)
+    return imports, seconds

@@ -1,0 +1,120 @@
+"""Who computes inverse dynamics, and how to ask them for the same states."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..arm.serial_arm import SerialArm
+from ..arm.states import States
+from ..arm.transforms import Array
+from ..dynamics.newton_euler import rnea
+from ..engines.registry import REGISTRY, installed, make_engine
+from ..errors import EngineError
+from ..kernels import kernel
+from .jax_calls import jax_contestant
+from .pinocchio_calls import PinocchioCalls
+from .result import Chapter
+from .timing import Contestant, race
+
+__all__ = [
+    "LOOP",
+    "NUMBA",
+    "NUMPY",
+    "RECURSION",
+    "inverse_dynamics",
+    "kernels",
+    "parallel",
+    "pinocchio_loop",
+    "recursion",
+    "with_threads",
+]
+
+LOOP = "Python loop over pin.rnea"
+PARALLEL = "pin.rneaInParallel"
+RECURSION = "ur5check.rnea"
+NUMPY, NUMBA = "kernel on NumPy", "kernel by Numba"
+
+#: A loop costs the same a state however long it is; these are as many as it is asked.
+_IN_A_LOOP, _IN_A_SLOW_LOOP = 100_000, 5_000
+_OTHERS = ("mujoco", "drake")
+
+
+def inverse_dynamics(arm: SerialArm, states: States, threads: int, rounds: int) -> Chapter:
+    """Everybody, side by side."""
+    calls = PinocchioCalls(arm, states, threads)
+    contestants = [
+        parallel(calls, 1),
+        pinocchio_loop(calls),
+        recursion(arm, states),
+        *kernels(arm, states),
+        *([jax] if (jax := jax_contestant(arm, states)) else []),
+        *_other_engines(arm, states),
+    ]
+    if threads > 1:
+        contestants += [parallel(calls, threads), *kernels(arm, states, threads)]
+    return Chapter(
+        "torques",
+        "Inverse dynamics",
+        "state",
+        f"{len(states.q):,} states; loops take the first {_IN_A_LOOP:,} of them, those of other "
+        f"engines {_IN_A_SLOW_LOOP:,}. Results go to arrays that are there already.",
+        (race("", contestants, rounds),),
+    )
+
+
+def with_threads(name: str, threads: int) -> str:
+    """The name of a contestant that shares its states among threads."""
+    return f"{name}, {threads} thread{'s' if threads > 1 else ''}"
+
+
+def parallel(calls: PinocchioCalls, threads: int) -> Contestant:
+    """Pinocchio's own loop in C++."""
+    return Contestant(
+        with_threads(PARALLEL, threads), lambda: calls.in_parallel(threads), len(calls.states.q)
+    )
+
+
+def pinocchio_loop(calls: PinocchioCalls) -> Contestant:
+    """A Python loop."""
+    count = min(len(calls.states.q), _IN_A_LOOP)
+    return Contestant(LOOP, calls.loop("pin.rnea", count), count)
+
+
+def recursion(arm: SerialArm, states: States) -> Contestant:
+    """The hand-written recursion, a block of states at a time."""
+    return Contestant(RECURSION, lambda: rnea(arm, states.q, states.qd, states.qdd), len(states.q))
+
+
+def kernels(arm: SerialArm, states: States, threads: int = 1) -> list[Contestant]:
+    """The generated code, on NumPy and, where it is installed, by Numba."""
+    paths: list[tuple[str, kernel.Path]] = [(NUMPY, "numpy")] * (threads == 1)
+    if kernel.default_path() == "numba":
+        paths.append((NUMBA, "numba"))
+    return [
+        Contestant(with_threads(name, threads), _kernel(arm, states, threads, path), len(states.q))
+        for name, path in paths
+    ]
+
+
+def _kernel(arm: SerialArm, states: States, threads: int, path: kernel.Path) -> Callable[[], Array]:
+    ask, out = kernel.compile(arm, threads, path=path).rnea, np.empty_like(states.q)
+    return lambda: ask(states.q, states.qd, states.qdd, out=out)
+
+
+def _other_engines(arm: SerialArm, states: States) -> list[Contestant]:
+    """Those that are here and can take the arm."""
+    found = []
+    few = [part[:_IN_A_SLOW_LOOP] for part in (states.q, states.qd, states.qdd)]
+    for key in _OTHERS:
+        if key not in installed():
+            continue
+        try:
+            engine = make_engine(key, arm)
+        except EngineError:
+            continue
+        ask = engine.inverse_dynamics
+        name = f"Python loop over {REGISTRY[key].title}"
+        found.append(Contestant(name, lambda ask=ask: ask(*few), len(few[0])))  # type: ignore[misc]
+    return found
