@@ -14,7 +14,9 @@ from ..arm.states import States
 from ..arm.transforms import Array
 from ..engines.engine import Referee
 
-__all__ = ["OwnDynamics", "Subject"]
+__all__ = ["STEP", "OwnDynamics", "Subject"]
+
+STEP = 1e-30  # of complex derivatives, which subtract nothing: any tiny one will do
 
 Numbers = NDArray[Any]
 
@@ -56,6 +58,17 @@ class Subject:
     @cached_property
     def C(self) -> Array:
         return self.own.coriolis_matrix(self.states.q, self.states.qd)
+
+    @cached_property
+    def rate_of_M(self) -> Array:
+        """Ṁ along the motion: M(q + i h q̇), imaginary part over h.  No C is involved."""
+        moved = self.states.q + 1j * STEP * self.states.qd
+        return np.asarray(self.own.mass_matrix(moved).imag / STEP)
+
+    @cached_property
+    def qdd(self) -> Array:
+        """What our forward dynamics makes of `tau`."""
+        return self.own.forward_dynamics(self.states.q, self.states.qd, self.tau)
 
     @cached_property
     def g(self) -> Array:

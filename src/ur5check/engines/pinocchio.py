@@ -54,6 +54,9 @@ class PinocchioEngine:
         self.data = self.model.createData()
         self._joints = [self.model.joints[self.model.getJointId(name)] for name in arm.joint_names]
         self._rates = [joint.idx_v for joint in self._joints]
+        #: the arm's q, q̇ and τ are Pinocchio's: one number a joint, in one order.  Most are, and
+        #: then a loop over states re-orders nothing, which would take longer than the algorithm.
+        self._as_it_is = self.model.nq == arm.n and self._rates == list(range(arm.n))
         self._base = self._frame(arm.source.base)
         self._tip = self._frame(arm.source.tip)
         # Gravity is given in the arm's base frame, which need not be Pinocchio's world.
@@ -98,7 +101,7 @@ class PinocchioEngine:
         rates = (self._velocity(qd), self._velocity(qdd))
         three = pin.computeRNEADerivatives(self.model, self.data, self._configuration(q), *rates)
         tau, slopes = np.array(self.data.tau), np.reshape(three, (3, self.model.nv, -1))
-        if self._rates != list(range(self.arm.n)):
+        if not self._as_it_is:
             tau, slopes = tau[self._rates], slopes[:, self._rates][:, :, self._rates]
         return tau, np.hstack(list(slopes))
 
@@ -118,22 +121,22 @@ class PinocchioEngine:
         """M from `pin.crba`, which fills the upper triangle; the lower one is its mirror image."""
 
         def crba(x: Array) -> Array:
-            M = np.atleast_2d(pin.crba(self.model, self.data, self._configuration(x)))
-            return self._matrix(np.triu(M) + np.triu(M, 1).T)
+            return np.atleast_2d(pin.crba(self.model, self.data, self._configuration(x)))
 
-        return self._each(crba, (self.arm.n, self.arm.n), q)
+        M = self._each(crba, (self.arm.n, self.arm.n), q)
+        return self._matrix(np.triu(M) + np.swapaxes(np.triu(M, 1), -1, -2))
 
     def coriolis_matrix(self, q: Array, qd: Array) -> Array:
         """C from `pin.computeCoriolisMatrix`."""
 
         def coriolis(x: Array, v: Array) -> Array:
-            return self._matrix(
+            return np.atleast_2d(
                 pin.computeCoriolisMatrix(
                     self.model, self.data, self._configuration(x), self._velocity(v)
                 )
             )
 
-        return self._each(coriolis, (self.arm.n, self.arm.n), q, qd)
+        return self._matrix(self._each(coriolis, (self.arm.n, self.arm.n), q, qd))
 
     def torque_regressor(self, q: Array, qd: Array, qdd: Array) -> Array:
         """Y from `pin.computeJointTorqueRegressor`, its columns taken to the arm's link frames."""
@@ -146,14 +149,17 @@ class PinocchioEngine:
                 self._velocity(v),
                 self._velocity(a),
             )
-            Y = np.reshape(Y, (self.model.nv, -1))[self._rates]  # one joint: pin returns a row
-            blocks = [
-                Y[:, 10 * (joint.id - 1) : 10 * joint.id] @ A
-                for joint, A in zip(self._joints, self._parameters_here, strict=True)
-            ]
-            return np.hstack(blocks)
+            return np.reshape(Y, (self.arm.n, -1))  # one joint: pin returns a row
 
-        return self._each(regressor, (self.arm.n, 10 * self.arm.n), q, qd, qdd)
+        Y = self._each(regressor, (self.arm.n, 10 * self.arm.n), q, qd, qdd)
+        if not self._as_it_is:
+            Y = Y[..., self._rates, :]
+        rows = Y.reshape(-1, 10 * self.arm.n)  # of all states: one product a link, not one a state
+        blocks = [
+            rows[:, 10 * (joint.id - 1) : 10 * joint.id] @ A
+            for joint, A in zip(self._joints, self._parameters_here, strict=True)
+        ]
+        return np.hstack(blocks).reshape(Y.shape)
 
     def holdings(self) -> Holdings:
         """What `pin.Model` has kept: one inertia a joint, links fixed to it merged into it."""
@@ -215,6 +221,8 @@ class PinocchioEngine:
 
     def _configuration(self, q: Array) -> Array:
         """The arm's q as Pinocchio's: a continuous joint holds (cos q, sin q)."""
+        if self._as_it_is:
+            return q
         x: Array = pin.neutral(self.model)
         for joint, angle in zip(self._joints, q, strict=True):
             if joint.nq == 2:
@@ -225,17 +233,20 @@ class PinocchioEngine:
 
     def _velocity(self, rates: Array) -> Array:
         """The arm's joint order as Pinocchio's."""
+        if self._as_it_is:
+            return rates
         v = np.empty(self.model.nv)
         v[self._rates] = rates
         return v
 
-    def _matrix(self, entries: Array) -> Array:
-        return np.atleast_2d(entries)[np.ix_(self._rates, self._rates)]
+    def _matrix(self, M: Array) -> Array:
+        """Rows and columns from Pinocchio's order to the arm's, shape (..., n, n)."""
+        return M if self._as_it_is else M[..., self._rates, :][..., self._rates]
 
     def _torques(self, algorithm: Callable[..., Array], q: Array, *rates: Array) -> Array:
         def one(x: Array, *rest: Array) -> Array:
             result = algorithm(self._configuration(x), *(self._velocity(r) for r in rest))
-            return np.asarray(result)[self._rates]
+            return np.asarray(result if self._as_it_is else result[self._rates])
 
         return self._each(one, (self.arm.n,), q, *rates)
 
