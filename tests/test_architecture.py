@@ -66,7 +66,9 @@ MAY_IMPORT = {
 #: Third-party engines, and the files that may import them.
 ENGINES = {
     "pinocchio": {
-        "engines/pinocchio.py", "sources/pinocchio_model.py", "benchmarking/pinocchio_calls.py",
+        "engines/pinocchio.py",
+        "sources/pinocchio_model.py",
+        "benchmarking/pinocchio_calls.py",
     },
     "mujoco": {"engines/mujoco.py", "sources/mjcf_file.py"},
     "pydrake": {"engines/drake.py", "sources/sdf_file.py"},

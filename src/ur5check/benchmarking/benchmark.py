@@ -18,9 +18,15 @@ from .result import Benchmark, Chapter
 from .start_up import start_up
 from .torques import inverse_dynamics
 
-__all__ = ["bench"]
+__all__ = ["QUESTIONS", "bench"]
 
-OPERATIONS, COMMANDS = "operations", "commands"
+_OPERATIONS, _COMMANDS = "operations", "commands"
+
+#: What can be asked for by name, in the order in which it is measured.
+QUESTIONS = (
+    "torques", "memory", "matrices", "states", "joints", "first-use", "start-up",
+    _OPERATIONS, _COMMANDS,
+)  # fmt: skip
 
 
 def bench(
@@ -44,13 +50,15 @@ def bench(
     seed : of states and of the longer arms
     progress : is told, in a sentence, what is measured next
 
-    Raises UsageError for a number below 1.
+    Raises UsageError for a number below 1, or a question that there is none of.
     """
     for name, value in {"states": states, "rounds": rounds, "threads": threads}.items():
         if value < 1:
             raise UsageError(f"{name} must be at least 1, not {value}")
     if min(lengths, default=1) < 1 or up_to < 1:
         raise UsageError("lengths and up_to must be at least 1")
+    if unknown := [key for key in only if key not in QUESTIONS]:
+        raise UsageError(f"{unknown[0]!r} is no question; choose from {', '.join(QUESTIONS)}")
     say = progress or (lambda line: None)
     drawn = random_states(arm.n, states, seed)
 
@@ -70,8 +78,8 @@ def bench(
         threads,
         seed,
         tuple(question() for key, question in questions.items() if asked(key)),
-        operations(arm, lengths, seed) if asked(OPERATIONS) else (),
-        profiles(rounds) if asked(COMMANDS) else (),
+        operations(arm, lengths, seed) if asked(_OPERATIONS) else (),
+        profiles(rounds) if asked(_COMMANDS) else (),
     )
 
 
@@ -90,6 +98,6 @@ def _questions(
         "matrices": lambda: matrices(arm, drawn, rounds),
         "states": lambda: numbers_of_states(arm, up_to, seed, rounds),
         "joints": lambda: joints(lengths, seed, rounds),
-        "first-use": lambda: first_use(arm, rounds),
+        "first-use": lambda: first_use(arm, lengths, seed, rounds),
         "start-up": lambda: start_up(rounds),
     }

@@ -11,43 +11,53 @@ import pickle
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ..arm.serial_arm import SerialArm, Source
 from ..kernels.kernel import default_path
+from .growth import chain
 from .result import Chapter, Comparison
 from .timing import ranked
 
 __all__ = ["first_use"]
 
-_QUANTITIES = ("rnea", "mass_matrix", "coriolis_matrix", "gravity_torque", "torque_regressor")
+_QUANTITIES = {
+    "torques": "rnea",
+    "mass matrix": "mass_matrix",
+    "Coriolis matrix": "coriolis_matrix",
+    "gravity torque": "gravity_torque",
+    "torque regressor": "torque_regressor",
+}
 _MOST = 3  # rounds; a compilation takes seconds, and scatters little
 IMPORT, COLD, WARM = "import of NumPy and Numba", "nothing on disk", "code on disk"
 
 
-def first_use(arm: SerialArm, rounds: int) -> Chapter:
-    """One comparison a quantity."""
-    text = pickle.dumps(replace(arm, source=Source()))
+def first_use(arm: SerialArm, lengths: Sequence[int], seed: int, rounds: int) -> Chapter:
+    """One comparison a quantity, and one a longer arm."""
+    rounds = min(rounds, _MOST)
+    longer = (_compared(f"torques, {n} joints", "rnea", chain(n, seed), 1) for n in lengths)
     return Chapter(
         "first-use",
         "The first call of a kernel",
         "process",
         f"By {'Numba' if default_path() == 'numba' else 'NumPy'}, in a new process each time, "
         "without the import of NumPy and Numba, which is given apart.",
-        tuple(_compared(name, text, min(rounds, _MOST)) for name in _QUANTITIES),
+        (*(_compared(what, name, arm, rounds) for what, name in _QUANTITIES.items()), *longer),
         series=True,
     )
 
 
-def _compared(quantity: str, arm: bytes, rounds: int) -> Comparison:
+def _compared(subject: str, quantity: str, arm: SerialArm, rounds: int) -> Comparison:
+    text = pickle.dumps(replace(arm, source=Source()))
     times: dict[str, list[float]] = {IMPORT: [], COLD: [], WARM: []}
     for _ in range(rounds):
         with tempfile.TemporaryDirectory() as folder:
             for kind in (COLD, WARM):
-                imports, seconds = _in_a_process(quantity, arm, folder)
+                imports, seconds = _in_a_process(quantity, text, folder)
                 times[IMPORT].append(imports)
                 times[kind].append(seconds)
-    return ranked(quantity, list(times), list(times.values()))
+    return ranked(subject, list(times), list(times.values()))
 
 
 def _in_a_process(quantity: str, arm: bytes, folder: str) -> tuple[float, float]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 __all__ = ["machine", "versions"]
 
-_MEASURED = ("ur5check", "numpy", "numba", "jax", "pin", "mujoco", "drake")
+_MEASURED = ("numpy", "numba", "jax", "pin", "mujoco", "drake")
 
 
 def machine() -> dict[str, str | int]:
@@ -22,7 +22,7 @@ def machine() -> dict[str, str | int]:
 
 
 def versions() -> dict[str, str]:
-    """Python's, and those of what is measured and here."""
+    """Python's, and those of what is measured beside ur5check, and here."""
     found = {"python": platform.python_version()}
     for name in _MEASURED:
         try:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from ..arm.serial_arm import SerialArm, Source
 from ..arm.states import States
 from ..arm.transforms import Array
 from ..dynamics.newton_euler import rnea
@@ -22,7 +23,9 @@ __all__ = [
     "LOOP",
     "NUMBA",
     "NUMPY",
+    "PARALLEL",
     "RECURSION",
+    "TRANSPOSED",
     "inverse_dynamics",
     "kernels",
     "parallel",
@@ -35,6 +38,7 @@ LOOP = "Python loop over pin.rnea"
 PARALLEL = "pin.rneaInParallel"
 RECURSION = "ur5check.rnea"
 NUMPY, NUMBA = "kernel on NumPy", "kernel by Numba"
+TRANSPOSED = "kernel by Numba, arrays (n, N)"
 
 #: A loop costs the same a state however long it is; these are as many as it is asked.
 _IN_A_LOOP, _IN_A_SLOW_LOOP = 100_000, 5_000
@@ -43,12 +47,13 @@ _OTHERS = ("mujoco", "drake")
 
 def inverse_dynamics(arm: SerialArm, states: States, threads: int, rounds: int) -> Chapter:
     """Everybody, side by side."""
-    calls = PinocchioCalls(arm, states, threads)
+    calls, count = PinocchioCalls(arm, states, threads), len(states.q)
     contestants = [
         parallel(calls, 1),
         pinocchio_loop(calls),
         recursion(arm, states),
         *kernels(arm, states),
+        *_transposed(arm, states),
         *([jax] if (jax := jax_contestant(arm, states)) else []),
         *_other_engines(arm, states),
     ]
@@ -58,8 +63,9 @@ def inverse_dynamics(arm: SerialArm, states: States, threads: int, rounds: int) 
         "torques",
         "Inverse dynamics",
         "state",
-        f"{len(states.q):,} states; loops take the first {_IN_A_LOOP:,} of them, those of other "
-        f"engines {_IN_A_SLOW_LOOP:,}. Results go to arrays that are there already.",
+        f"{count:,} states; {min(count, _IN_A_LOOP):,} for the loop over Pinocchio, "
+        f"{min(count, _IN_A_SLOW_LOOP):,} for those over other engines. Results go to arrays that "
+        "are there already.",
         (race("", contestants, rounds),),
     )
 
@@ -103,15 +109,31 @@ def _kernel(arm: SerialArm, states: States, threads: int, path: kernel.Path) -> 
     return lambda: ask(states.q, states.qd, states.qdd, out=out)
 
 
+def _transposed(arm: SerialArm, states: States) -> list[Contestant]:
+    """The kernel on arrays of one row a joint."""
+    if kernel.default_path() != "numba":
+        return []
+    rows = [np.ascontiguousarray(part.T) for part in (states.q, states.qd, states.qdd)]
+    ask, out = kernel.compile(arm, path="numba").rnea, np.empty_like(rows[0])
+
+    def run() -> Array:
+        return ask(*rows, layout="joints", out=out).T
+
+    return [Contestant(with_threads(TRANSPOSED, 1), run, len(states.q))]
+
+
 def _other_engines(arm: SerialArm, states: States) -> list[Contestant]:
-    """Those that are here and can take the arm."""
+    """Those that are here and can take the arm.
+
+    It is handed over joint by joint: how they read a file is no question of speed.
+    """
     found = []
     few = [part[:_IN_A_SLOW_LOOP] for part in (states.q, states.qd, states.qdd)]
     for key in _OTHERS:
         if key not in installed():
             continue
         try:
-            engine = make_engine(key, arm)
+            engine = make_engine(key, replace(arm, source=Source()))
         except EngineError:
             continue
         ask = engine.inverse_dynamics
