@@ -114,6 +114,29 @@ def test_another_gravity_is_another_kernel(appendix):
     assert np.abs(found - ur5.compile(appendix).gravity_torque(q)).max() > 1.0
 
 
+@pytest.mark.parametrize("path", ["numba", "numpy"])
+def test_arrays_as_they_come(path, appendix):
+    """Read-only, reversed, unaligned, of other byte order, single precision, lists, none at all."""
+    q = np.float32(random_states(6, 70, seed=9).q).astype(float)
+    kernel = ur5.compile(appendix, path=path)
+    wanted = kernel.gravity_torque(q)
+    packed = np.zeros(70, dtype=[("tag", "i1"), ("q", "f8", 6)])
+    packed["q"] = q
+    shown = q.view()
+    shown.flags.writeable = False
+    for same in (shown, packed["q"], q.astype(">f8"), np.float32(q), q.tolist(), q[::-1][::-1]):
+        assert np.array_equal(kernel.gravity_torque(same), wanted)
+    assert np.array_equal(kernel.gravity_torque(np.broadcast_to(q[7], (3, 6)))[2], wanted[7])
+    assert kernel.gravity_torque(q[:0]).shape == (0, 6)
+
+
+@pytest.mark.parametrize("path", ["numba", "numpy"])
+def test_what_is_beyond_all_computing_is_no_number(path, appendix):
+    huge = np.full((1, 6), 1e200)
+    found = ur5.compile(appendix, path=path).rnea(np.ones((1, 6)), huge, np.ones((1, 6)))
+    assert not np.isfinite(found).all()
+
+
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 @pytest.mark.parametrize("name", ["q", "qd", "qdd"])
 def test_what_is_no_number_is_named(appendix, name, bad):
@@ -130,6 +153,9 @@ def test_what_is_no_number_is_named(appendix, name, bad):
         ({"q": np.zeros((4, 3, 6))}, "takes \\(N, 6\\)"),
         ({"qd": np.zeros((3, 6))}, "different numbers of states"),
         ({"q": np.zeros((4, 6), complex)}, "real numbers"),
+        ({"q": [[1.0], [1.0, 2.0]]}, "not an array of numbers"),
+        ({"out": [0.0]}, "NumPy array"),
+        ({"out": np.broadcast_to(0.0, (4, 6))}, "may be written"),
         ({"out": np.zeros((4, 5))}, "out must be"),
         ({"out": np.zeros((4, 6), np.float32)}, "out must be"),
     ],

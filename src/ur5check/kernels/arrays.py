@@ -31,7 +31,10 @@ def as_states(
         raise UsageError(f"layout must be 'states' or 'joints', not {layout!r}")
     views, counts, single = {}, set(), False
     for name, given in arrays.items():
-        array = np.asarray(given)
+        try:
+            array = np.asarray(given)
+        except ValueError as error:  # ragged nested lists
+            raise StateError(f"{name} is not an array of numbers: {error}") from error
         if array.dtype != np.float64:
             if array.dtype.kind not in "iuf":
                 raise StateError(f"{name} must hold real numbers, not {array.dtype.name}")
@@ -64,10 +67,12 @@ def empty_result(
     entries = int(np.prod(shape))
     wanted = (count, *shape) if layout == "states" else (*shape, count)
     result = np.empty(wanted) if out is None else out
-    if result.shape != wanted or result.dtype != np.float64 or not result.flags.c_contiguous:
+    if not isinstance(result, np.ndarray):
+        raise StateError(f"out must be a NumPy array, not {type(result).__name__}")
+    if result.shape != wanted or result.dtype != np.float64 or not result.flags.carray:
         raise StateError(
-            f"out must be a contiguous float64 array of shape {wanted}, not {result.dtype} "
-            f"{result.shape}"
+            f"out must be a contiguous float64 array of shape {wanted} that may be written, not "
+            f"{result.dtype} {result.shape}"
         )
     flat = (
         result.reshape(count, entries) if layout == "states" else result.reshape(entries, count).T

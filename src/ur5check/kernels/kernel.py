@@ -182,7 +182,8 @@ def _run(
     used = [views[name] for name in module.ARGUMENTS]
 
     def share(part: slice) -> None:
-        module.run(*(array[part] for array in used), flat[part])
+        with np.errstate(over="ignore", invalid="ignore"):  # compiled code does not warn either
+            module.run(*(array[part] for array in used), flat[part])
 
     if threads == 1 or count < 2 * threads:
         share(slice(None))

@@ -39,8 +39,10 @@ def numba_source(program: Program, length: int = LENGTH) -> str:
         "import math",
         "",
         "import numpy as np",
-        "from numba import njit",
+        "from numba import float64, njit, void",
+        "from numba.types import Array",
         "",
+        "GIVEN = Array(float64, 2, 'A', readonly=True)  # one that may be written is taken, too",
         f"ARGUMENTS = {program.arguments!r}",
         f"SHAPE = {program.shape!r}",
         f"BLOCK, JOINTS, ENTRIES = {BLOCK}, {program.n}, {len(program.outputs)}",
@@ -89,6 +91,8 @@ def _lines(program: Program, parts: list[Piece]) -> tuple[list[str], int]:
     for number, part in enumerate(parts):
         body = [f"{name} = {place[name]}" for name in (*part.inputs, *part.taken)]
         for line in part.lines:
+            if not line.terms:
+                continue  # its row is zero from the start
             kept = f"{place[line.name]} = " if line.name in place else ""
             body.append(f"{kept}{line.name} = {right_hand_side(line)}")
         text += [
@@ -134,9 +138,9 @@ def _run(program: Program) -> list[str]:
         "            for k in range(count):",
         f"                out[start + k, i] = w[{first['out']} + i * BLOCK + k]",
     ]
-    kinds = ", ".join(["f8[:, :]"] * len(arguments))
+    kinds = ", ".join(["GIVEN"] * (len(arguments) - 1) + ["float64[:, :]"])
     return [
-        f"@njit('void({kinds})', {_QUIET})",
+        f"@njit(void({kinds}), {_QUIET})",
         f"def run({', '.join(arguments)}):",
         *(f"    {text}" for text in body),
     ]
