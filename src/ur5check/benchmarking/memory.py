@@ -18,7 +18,7 @@ from .result import Chapter
 from .timing import Contestant, race
 from .torques import NUMPY, kernels, with_threads
 
-__all__ = ["COPY", "memory"]
+__all__ = ["COPY", "copy_of", "memory"]
 
 COPY = "copy of as many bytes"
 
@@ -28,7 +28,9 @@ def memory(arm: SerialArm, states: States, threads: int, rounds: int) -> Chapter
     count = len(states.q)
     contestants = []
     for number in sorted({1, threads}):
-        contestants.append(Contestant(with_threads(COPY, number), _copy(states.q, number), count))
+        contestants.append(
+            Contestant(with_threads(COPY, number), copy_of(states.q, number)[0], count)
+        )
         contestants += [
             kernel for kernel in kernels(arm, states, number) if not kernel.name.startswith(NUMPY)
         ]
@@ -41,7 +43,8 @@ def memory(arm: SerialArm, states: States, threads: int, rounds: int) -> Chapter
     )
 
 
-def _copy(q: Array, threads: int) -> Callable[[], None]:
+def copy_of(q: Array, threads: int) -> tuple[Callable[[], None], Array, Array]:
+    """What copies, from where, to where: as many bytes as `rnea` moves at q, shape (N, n)."""
     source = np.concatenate([q, q])
     target = np.zeros_like(source)
     parts = list(zip(np.array_split(source, threads), np.array_split(target, threads), strict=True))
@@ -56,4 +59,4 @@ def _copy(q: Array, threads: int) -> Callable[[], None]:
         with ThreadPoolExecutor(threads) as pool:
             list(pool.map(copied, parts))
 
-    return run
+    return run, source, target
