@@ -109,6 +109,17 @@ def test_sliding_origins_moves_no_axis(name):
     )
 
 
+def test_no_origin_goes_a_mile_along_axes_that_are_all_but_parallel():
+    arm = random_arm(5, seed=2)
+    feet = [link.far_end.p for link in slid(arm).links]
+    reach = sum(np.linalg.norm(link.far_end.p) for link in arm.links)
+    assert max(np.linalg.norm(foot) for foot in feet) < reach
+    at = states(arm, 40)
+    tau = ur5check.rnea(arm, at.q, at.qd, at.qdd)
+    found = trace(arm, "tau", tries=0).evaluate(at.q, at.qd, at.qdd)
+    assert np.abs(found - tau).max() < 1e-12 * np.abs(tau).max()  # was 8e-10
+
+
 def test_offsets_that_cancel_are_gone():
     """The appendix goes out by 0.13585 m and back by 0.1197 m along one axis direction."""
     arm = slid(ur5check.load("appendix"))

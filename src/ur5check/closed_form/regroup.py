@@ -94,9 +94,12 @@ def slid(arm: SerialArm) -> SerialArm:
     """The same arm with each origin i moved along joint axis i + 1, close to joint axis i.
 
     An origin may stand anywhere on the next joint's axis.  The foot of the common normal makes the
-    vector from origin to origin shortest, as a DH table has it.
+    vector from origin to origin shortest, as a DH table has it.  Of axes that are all but parallel
+    it may be a mile away, and numbers about it would only cancel: no origin is moved by more than
+    the arm could reach.
     """
     links = list(arm.links)
+    reach = sum(float(np.linalg.norm(link.far_end.p)) for link in links)
     for i, (joint, following) in enumerate(zip(arm.joints, arm.joints[1:], strict=False)):
         if "prismatic" in (joint.kind, following.kind):
             continue  # a slide has no axis in space, only a direction
@@ -104,7 +107,8 @@ def slid(arm: SerialArm) -> SerialArm:
         u, v = joint.axis, P.R @ following.axis
         along = -float(P.p @ v)
         if np.linalg.norm(np.cross(u, v)) > _PARALLEL:
-            along = float(np.linalg.lstsq(np.column_stack([u, -v]), P.p)[0][1])
+            foot = float(np.linalg.lstsq(np.column_stack([u, -v]), P.p)[0][1])
+            along = foot if abs(foot) <= reach else along
         slide = Transform.translation(following.axis * along)
         back = slide.inverse()
         moved = links[i].inertia.expressed_in(back)
