@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import ur5check as ur5
-from examples import random_arm
+from examples import planar_arm
 from ur5check.arm.states import random_states
 from ur5check.engines.pinocchio import PinocchioEngine
 from ur5check.errors import UsageError
@@ -43,14 +43,18 @@ def test_slopes_are_pinocchios(arm, in_64_bits):
         assert np.abs(np.asarray(ours) - theirs).max() <= 1e-9
 
 
-def test_the_slope_of_a_difference_leads_up(in_64_bits):
-    a = random_arm(3, seed=1)
-    b = a.with_inertias([link.inertia for link in random_arm(3, seed=2).links])
-    difference = jax_torque_difference(a, b)
-    q, qd, qdd = (array[0, :3] for array in GIVEN)
-    size = jax.jit(lambda q: (difference(q, qd, qdd) ** 2).sum())
-    up = jax.grad(size)(q)
-    assert size(q + 1e-4 * up / np.linalg.norm(up)) > size(q)
+def test_the_slope_of_a_difference_is_pinocchios(in_64_bits):
+    """Of Σ Δτ², which a search for the worst case climbs: 2 Δτᵀ ∂Δτ/∂q."""
+    arms = [planar_arm((0.4, 0.3), masses) for masses in ((2.0, 1.0), (2.0, 1.5))]
+    state = tuple(array[0, :2] for array in GIVEN)
+    delta = jax_torque_difference(*arms)
+    size = jax.jit(jax.grad(lambda q, qd, qdd: (delta(q, qd, qdd) ** 2).sum()))
+    referees = [PinocchioEngine(arm) for arm in arms]
+    tau = [referee.inverse_dynamics(*state) for referee in referees]
+    slope = [referee.inverse_dynamics_gradient(*state)[0] for referee in referees]
+    wanted = 2.0 * (tau[0] - tau[1]) @ (slope[0] - slope[1])
+    assert np.abs(np.asarray(size(*state)) - wanted).max() <= 1e-9
+    assert np.abs(wanted).max() > 1.0
 
 
 def test_32_bits_are_refused(arm):

@@ -99,7 +99,7 @@ def _lines(program: Program, parts: list[Piece]) -> tuple[list[str], int]:
             f"@njit('void(f8[::1])', fastmath={{'contract'}}, {_QUIET})",
             f"def line{number}(w):",
             "    for k in range(BLOCK):",
-            *(f"        {statement}" for statement in body),
+            *(f"        {statement}" for statement in body or ["pass"]),  # all may be zero
             "",
             "",
         ]
