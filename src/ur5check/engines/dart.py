@@ -8,6 +8,7 @@ into its articulated inertia, and what is compared is the rigid-body model.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import dartpy
@@ -16,7 +17,6 @@ from numpy.typing import ArrayLike
 
 from ..arm.inertia import Inertia
 from ..arm.serial_arm import Joint, Limits, Link, SerialArm
-from ..arm.serial_arm import Joint as ArmJoint
 from ..arm.transforms import Array, Transform
 from ..errors import EngineError
 from .each_state import each_state
@@ -65,7 +65,7 @@ class DartEngine:
         self._T_base_world = Transform.identity() if base is None else _pose(base).inverse()
         R = self._T_base_world.R
         self._gravity_read = R @ skeleton.getGravity()
-        self._joints = tuple(_turned(joint, R) for joint in self._joints)
+        self._joints = tuple(replace(joint, axis=R @ joint.axis) for joint in self._joints)
         g = np.asarray(arm.gravity if gravity is None else gravity, dtype=np.float64)
         skeleton.setGravity(R.T @ g)
 
@@ -216,13 +216,6 @@ class DartEngine:
         return each_state(one, self.arm.n, (self.arm.n,), *arrays)
 
 
-def _turned(joint: Joint, R: Array) -> Joint:
-    return Joint(
-        joint.name, R @ joint.axis, joint.kind, joint.limits,
-        joint.armature, joint.damping, joint.friction,
-    )  # fmt: skip
-
-
 def _pose(node: Any) -> Transform:
     T = node.getWorldTransform()
     return Transform(T.rotation(), T.translation())
@@ -251,7 +244,7 @@ def _built(arm: SerialArm) -> Any:
     return skeleton
 
 
-def _add(skeleton: Any, parent: Any, joint: ArmJoint, link: Link, placement: Transform) -> Any:
+def _add(skeleton: Any, parent: Any, joint: Joint, link: Link, placement: Transform) -> Any:
     dynamics = dartpy.dynamics
     if joint.kind == "prismatic":
         properties = dynamics.PrismaticJointProperties()

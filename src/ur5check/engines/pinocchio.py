@@ -19,6 +19,7 @@ from ..arm.inertia import Inertia, parameter_map
 from ..arm.serial_arm import Joint, Limits, SerialArm
 from ..arm.transforms import Array, Transform
 from ..errors import EngineError
+from .each_state import each_state
 from .holdings import HeldBody, Holdings
 from .said import listening
 
@@ -251,13 +252,7 @@ class PinocchioEngine:
         return self._each(one, (self.arm.n,), q, *rates)
 
     def _each(self, one: Callable[..., Array], shape: tuple[int, ...], *arrays: Array) -> Array:
-        """`one` on every state of arrays of shape (..., n), in a Python loop."""
-        lead = np.broadcast_shapes(*(np.shape(array)[:-1] for array in arrays))
-        rows = [np.broadcast_to(a, (*lead, self.arm.n)).reshape(-1, self.arm.n) for a in arrays]
-        results = np.empty((len(rows[0]), *shape))
-        for k, state in enumerate(zip(*rows, strict=True)):
-            results[k] = one(*state)
-        return results.reshape(*lead, *shape)
+        return each_state(one, self.arm.n, shape, *arrays)
 
 
 def _parse(urdf: str, name: str) -> Any:
