@@ -58,6 +58,7 @@ def test_dart_needs_its_remedy(file, capsys):
     capsys.readouterr()
     assert engines(*options) == 0
     said = " ".join(capsys.readouterr().out.split())
+    assert "AGREE ONCE MENDED: ur5check and Pinocchio hold the same robot" in said
     assert "DART has added 2 kg" in said  # plate and tool have no <inertial>
     assert f"`ur5check expand {file} --for dart` mends it." in said
 

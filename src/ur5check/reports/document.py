@@ -82,7 +82,7 @@ class Section:
 class Verdict:
     """What a reader with five seconds should take away.
 
-    word : PASS, FAIL, AGREE, DIFFER;  text : a sentence;  good : whether the exit code is 0
+    word : PASS, FAIL, AGREE, DIFFER, …;  text : a sentence;  good : whether the exit code is 0
     """
 
     word: str

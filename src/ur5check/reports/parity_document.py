@@ -33,9 +33,12 @@ def engines_document(
     """
     verdict, *lines = tell(report, model, limit)
     good = (report.as_read if as_read else report.final).agrees(limit)
+    word = "AGREE" if good else "DIFFER"
+    if good and not report.as_read.agrees(limit):
+        word = "AGREE ONCE MENDED"
     return Document(
         f"{report.arm.name}: do all engines mean the same robot?",
-        Verdict("AGREE" if good else "DIFFER", verdict, good),
+        Verdict(word, verdict, good),
         tuple(lines),
         (_parity(report, limit), _imports(report), _engines(report)),
         Provenance(inputs_of([report.arm]), report.seed, report.samples, command),
