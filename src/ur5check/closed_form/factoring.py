@@ -117,8 +117,8 @@ class _Rewriter:
     def best(self, pattern: Pattern) -> Rewrite:
         """What the pattern saves, in the form that saves most."""
         places = list(self.disjoint(pattern))
-        if not places:
-            return Rewrite(0, {}, [])
+        if len(places) < (1 if isinstance(pattern, TermPair) else 2):
+            return Rewrite(0, {}, [])  # a product or a multiple that stands once saves nothing
         before = sum(
             sum(term_cost(term, self.lines[name][term]) for term in place) + len(place) - 1
             for name, place in places

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -102,15 +101,19 @@ def placed(
 
 
 def _common(s: Monomial, t: Monomial) -> Monomial:
-    if set(s).isdisjoint(t):
-        return ()
-    return tuple((Counter(s) & Counter(t)).elements())
+    common, rest = [], list(t)
+    for atom in s:
+        if atom in rest:
+            rest.remove(atom)
+            common.append(atom)
+    return tuple(common)
 
 
 def _without(monomial: Monomial, taken: Monomial) -> Monomial:
-    if not taken:
-        return monomial
-    return tuple(sorted((Counter(monomial) - Counter(taken)).elements()))
+    rest = list(monomial)
+    for atom in taken:
+        rest.remove(atom)
+    return tuple(rest)
 
 
 def _rounded(number: float) -> float:

@@ -33,7 +33,7 @@ __all__ = ["Parameters", "as_written", "trace", "trace_difference"]
 
 Parameters = Literal["numeric", "symbolic"]
 
-_TRIES, _SHORT = 200, 8  # so that a derivation takes seconds
+_TRIES, _SHORT = 100, 8  # so that a derivation takes a second
 _FINALISTS = 3  # last finds that are factored, with the first two, before the best is chosen
 
 
@@ -50,7 +50,7 @@ def trace(
     parameters : "numeric", the arm's numbers folded in, or "symbolic", left as inputs (`symbols`)
     regroup : whether numbers that no torque sees may be chosen anew; the values stay the same to
         rounding.  Symbols are left as they are, and a regressor has no inertias to regroup
-    tries : how many regroupings to look at beyond the first, 5 ms each for a UR5; None: 200 for
+    tries : how many regroupings to look at beyond the first, 5 ms each for a UR5; None: 100 for
         arms of up to 8 joints, none for longer ones
 
     Raises UsageError for a quantity that there is none of.

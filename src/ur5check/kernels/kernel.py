@@ -7,7 +7,6 @@ on NumPy, a block of states at a time.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache, lru_cache
@@ -19,21 +18,15 @@ from numpy.typing import ArrayLike
 
 from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array
-from ..closed_form.program import Program
-from ..closed_form.trace import trace, trace_difference
 from ..errors import UsageError
 from .arrays import Layout, as_states, empty_result, refuse_unless_finite
 from .cache import generated_module
 from .fingerprint import fingerprint
-from .numba_source import numba_source
-from .numpy_source import numpy_source
 
 __all__ = ["DifferenceKernel", "Kernel", "Path", "compile", "compile_difference", "default_path"]
 
 #: What runs the lines.
 Path = Literal["numba", "numpy"]
-
-_WRITERS: dict[str, Callable[[Program], str]] = {"numba": numba_source, "numpy": numpy_source}
 
 
 def default_path() -> Path:
@@ -160,12 +153,15 @@ def _module(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> Any:
     Arms never change, so each is looked up once.
     """
 
-    def source() -> str:
-        program = trace_difference(*arms) if len(arms) == 2 else trace(arms[0], quantity)
-        return _WRITERS[path](program)
+    def made() -> str:
+        from .source import difference_source, source  # takes longer than finding it on disk
+
+        if len(arms) == 2:
+            return difference_source(*arms, path)
+        return source(arms[0], quantity, path)
 
     key = fingerprint(arms, quantity, path, _numba_version() or "", np.__version__)
-    return generated_module(f"{quantity}_{path}_{key}", source)
+    return generated_module(f"{quantity}_{path}_{key}", made)
 
 
 def _run(

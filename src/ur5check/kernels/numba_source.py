@@ -8,9 +8,8 @@
              twice as long when it is twice as long
     scatter  its rows go to the result
 
-The scratch array (36 rows for a UR5's torques, 18 kB) stays in the processor's first cache.  Only
-contraction to fused multiply-add is allowed (`contract`): the reduction of angles needs every other
-rounding where it stands.
+Turn and line go to the compiler as they stand (`straight_line`); Numba reads only the loops around
+them.  The scratch array (36 rows for a UR5's torques, 18 kB) stays in the processor's first cache.
 """
 
 from __future__ import annotations
@@ -24,8 +23,6 @@ __all__ = ["BLOCK", "numba_source"]
 
 BLOCK = 64  # states; 32 and 128 take 5 to 10 % longer
 
-_QUIET = "nogil=True, cache=True, error_model='numpy'"
-
 
 def numba_source(program: Program, length: int = LENGTH) -> str:
     """The module's text; its `run(*arrays, out)` takes float64 arrays of shape (N, n), any strides.
@@ -33,7 +30,8 @@ def numba_source(program: Program, length: int = LENGTH) -> str:
     arrays : those of `program.arguments`;  out : shape (N, entries of the result)
     length : of the program's pieces, in lines
     """
-    lines, carried = _lines(program, pieces(program, length))
+    parts = pieces(program, length)
+    carried = sorted({name for part in parts for name in part.given})
     text = [
         *(f"# {line}" for line in description(program)),
         "import math",
@@ -41,18 +39,17 @@ def numba_source(program: Program, length: int = LENGTH) -> str:
         "import numpy as np",
         "from numba import float64, njit, void",
         "from numba.types import Array",
+        "from ur5check.kernels.straight_line import straight_line",
         "",
         "GIVEN = Array(float64, 2, 'A', readonly=True)  # one that may be written is taken, too",
         f"ARGUMENTS = {program.arguments!r}",
         f"SHAPE = {program.shape!r}",
         f"BLOCK, JOINTS, ENTRIES = {BLOCK}, {program.n}, {len(program.outputs)}",
-        f"CARRIED = {carried}  # rows from one piece of the program to the next",
+        f"CARRIED = {len(carried)}  # rows from one piece of the program to the next",
         "",
-        *_turn(),
-        "",
-        *lines,
-        "",
-        *_run(program),
+        *_straight("turn", _turn(program.n)),
+        *_lines(program, parts, carried),
+        *_run(program, len(parts)),
     ]
     return "\n".join(text) + "\n"
 
@@ -67,51 +64,41 @@ def _place(kind: str, index: int, n: int) -> str:
     return f"w[k + {_row(kind, index, n) * BLOCK}]"
 
 
-def _turn() -> list[str]:
-    return [
-        f"@njit('void(f8[::1])', fastmath={{'contract'}}, {_QUIET})",
-        "def turn(w):",
-        "    for k in range(JOINTS * BLOCK):",
-        "        x = w[k]",
-        *(f"        {line}" for line in turn_source()),
-        "        w[k + JOINTS * BLOCK] = cosine",
-        "        w[k + 2 * JOINTS * BLOCK] = sine",
-        "",
-    ]
+def _straight(name: str, statements: list[str]) -> list[str]:
+    return [f'{name} = straight_line("""', *statements, '""")', ""]
 
 
-def _lines(program: Program, parts: list[Piece]) -> tuple[list[str], int]:
-    """One function a piece, and how many rows they need between them."""
+def _turn(n: int) -> list[str]:
+    cosine, sine = (_place(kind, 0, n) for kind in ("c", "s"))
+    return ["x = w[k]", *turn_source(), f"{cosine} = cosine", f"{sine} = sine"]
+
+
+def _lines(program: Program, parts: list[Piece], carried: list[str]) -> list[str]:
+    """One straight line a piece: `line0`, `line1`, …"""
     n, entries = program.n, len(program.outputs)
     place = {name: _place(*read_input(name), n) for name in program.inputs}
     place |= {line.name: _place("out", i, n) for i, line in enumerate(program.outputs)}
-    carried = sorted({name for part in parts for name in part.given})
     place |= {name: _place("out", entries + i, n) for i, name in enumerate(carried)}
     text: list[str] = []
     for number, part in enumerate(parts):
-        body = [f"{name} = {place[name]}" for name in (*part.inputs, *part.taken)]
+        statements = [f"{name} = {place[name]}" for name in (*part.inputs, *part.taken)]
         for line in part.lines:
             if not line.terms:
                 continue  # its row is zero from the start
             kept = f"{place[line.name]} = " if line.name in place else ""
-            body.append(f"{kept}{line.name} = {right_hand_side(line)}")
-        text += [
-            f"@njit('void(f8[::1])', fastmath={{'contract'}}, {_QUIET})",
-            f"def line{number}(w):",
-            "    for k in range(BLOCK):",
-            *(f"        {statement}" for statement in body or ["pass"]),  # all may be zero
-            "",
-            "",
-        ]
-    calls = [f"    line{number}(w)" for number in range(len(parts))]
-    return [*text, "@njit('void(f8[::1])', " + _QUIET + ")", "def line(w):", *calls, ""], len(
-        carried
-    )
+            statements.append(f"{kept}{line.name} = {right_hand_side(line)}")
+        text += _straight(f"line{number}", statements)
+    return text
 
 
-def _run(program: Program) -> list[str]:
+def _run(program: Program, parts: int) -> list[str]:
     n, arguments = program.n, (*program.arguments, "out")
     first = {kind: _row(kind, 0, n) * BLOCK for kind in (*program.arguments, "out")}
+    lines = [
+        text
+        for number in range(parts)
+        for text in ("    for k in range(BLOCK):", f"        line{number}(w, k)")
+    ]
     body = [
         f"w = np.zeros({first['out']} + (ENTRIES + CARRIED) * BLOCK)",
         "for start in range(0, q.shape[0], BLOCK):",
@@ -123,12 +110,13 @@ def _run(program: Program) -> list[str]:
         "    for k in range(JOINTS * BLOCK):",
         "        far = max(far, abs(w[k]))",
         f"    if far <= {FAR!r}:",
-        "        turn(w)",
+        "        for k in range(JOINTS * BLOCK):",
+        "            turn(w, k)",
         "    else:",
         "        for k in range(JOINTS * BLOCK):",
         "            w[k + JOINTS * BLOCK] = math.cos(w[k])",
         "            w[k + 2 * JOINTS * BLOCK] = math.sin(w[k])",
-        "    line(w)",
+        *lines,
         "    if out.strides[0] >= out.strides[1]:  # a state's entries lie together",
         "        for k in range(count):",
         "            for i in range(ENTRIES):",
@@ -140,7 +128,7 @@ def _run(program: Program) -> list[str]:
     ]
     kinds = ", ".join(["GIVEN"] * (len(arguments) - 1) + ["float64[:, :]"])
     return [
-        f"@njit(void({kinds}), {_QUIET})",
+        f"@njit(void({kinds}), nogil=True, cache=True, error_model='numpy')",
         f"def run({', '.join(arguments)}):",
         *(f"    {text}" for text in body),
     ]
