@@ -13,7 +13,9 @@ not what people write down, though: they write mass, centre of mass and a tensor
 
 from __future__ import annotations
 
+from collections import defaultdict
 from dataclasses import dataclass
+from functools import cache
 from itertools import product
 from typing import Literal
 
@@ -113,10 +115,16 @@ class Attribution:
 def attribute(pair: Pair, states: States) -> Attribution:
     """Split the torque difference of a pair of arms, at every state, among its owners."""
     q, qd, qdd = states.q, states.qd, states.qdd
+    # Two arms mostly stand under one gravity, and then half of the choices are the other half.
+    one_gravity = np.array_equal(pair.a.gravity, pair.b.gravity)
+
+    @cache
+    def torque_of(geometry: Side, gravity: Side, inertias: Side) -> Array:
+        return rnea(pair.arm(geometry, inertias, gravity), q, qd, qdd)
 
     def torque(choice: tuple[bool, ...]) -> Array:
-        geometry, gravity, inertias = (_side(is_a) for is_a in choice)
-        return rnea(pair.arm(geometry, inertias, gravity), q, qd, qdd)
+        geometry, gravity, inertias = choice
+        return torque_of(_side(geometry), _side(gravity or one_gravity), _side(inertias))
 
     geometry_share, gravity_share, _ = shares(torque, 3)
     # A motor sits in its joint, and so came along with the geometry: it is an owner of its own.
@@ -124,14 +132,16 @@ def attribute(pair: Pair, states: States) -> Attribution:
     geometry_share = geometry_share - motors
     inertial = np.zeros((3 * pair.a.n, *q.shape))
     dpi = _inertial_differences(pair)  # (n links, 3 owners, 10), in a's link frames
-    for is_a in product((True, False), repeat=2):
-        geometry, gravity = (_side(choice) for choice in is_a)
-        Y = torque_regressor(pair.arm(geometry, geometry, gravity), q, qd, qdd)
-        parts = np.concatenate(_per_link(Y, dpi, pair, geometry))
-        inertial += weight(sum(is_a), 3) * parts
+    weights: defaultdict[tuple[Side, Side], float] = defaultdict(float)
+    for geometry, gravity in product((True, False), repeat=2):
+        chosen = _side(geometry), _side(gravity or one_gravity)
+        weights[chosen] += weight(geometry + gravity, 3)
+    for (side, gravity_side), share in weights.items():
+        Y = torque_regressor(pair.arm(side, side, gravity_side), q, qd, qdd)
+        inertial += share * np.concatenate(_per_link(Y, dpi, pair, side))
     owners = [Owner("geometry"), Owner("gravity"), Owner("motor inertia")]
     owners += [Owner(kind, link) for link in range(1, pair.a.n + 1) for kind in _INERTIAL]
-    tau_a, tau_b = rnea(pair.a, q, qd, qdd), rnea(pair.b, q, qd, qdd)
+    tau_a, tau_b = torque((True, True, True)), torque((False, False, False))
     rounding = _ROUNDING * pair.a.n * float(max(np.abs(tau_a).max(), np.abs(tau_b).max()))
     torques = np.concatenate([geometry_share[None], gravity_share[None], motors[None], inertial])
     return Attribution(tau_a - tau_b, tuple(owners), torques, rounding)

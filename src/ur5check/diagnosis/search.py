@@ -14,12 +14,13 @@ Otherwise no known mistake explains the number, and that is what is said.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from ..arm.transforms import Array
 from .body import Body, Scene, changed_bodies
 from .catalogue import CATALOGUE
 from .mistake import Mistake, Quantity, changed, value_of
@@ -127,11 +128,15 @@ _Tried = tuple[tuple[Mistake, ...], tuple[str, ...], Any, float]
 
 
 def _singles(scene: Scene, i: int, quantity: Quantity) -> Iterator[_Tried]:
-    for mistake in CATALOGUE:
-        if mistake.quantity == quantity:
-            for how, value in mistake.remedies(scene, i):
-                mended = changed(scene.bodies[i], quantity, value)
-                yield (mistake,), (how,), value, _gap(quantity, mended, scene.truth[i])
+    tried = [
+        (mistake, how, value)
+        for mistake in CATALOGUE
+        if mistake.quantity == quantity
+        for how, value in mistake.remedies(scene, i)
+    ]
+    gaps = _gaps(quantity, [value for *_, value in tried], scene.truth[i])
+    for (mistake, how, value), gap in zip(tried, gaps.tolist(), strict=True):
+        yield (mistake,), (how,), value, gap
 
 
 def _pairs(scene: Scene, i: int, quantity: Quantity) -> Iterator[_Tried]:
@@ -160,12 +165,26 @@ def _good_enough(
 
 
 def _gap(quantity: Quantity, own: Body, truth: Body, floor: float = 0.0) -> float:
-    """How far a quantity is from the truth, relative to the larger; a twist by its angle [rad]."""
+    return float(_gaps(quantity, [value_of(own, quantity)], truth, floor)[0])
+
+
+def _gaps(quantity: Quantity, values: Sequence[Any], truth: Body, floor: float = 0.0) -> Array:
+    """How far each value is from the truth, relative to the larger; a twist by its angle [rad].
+
+    All at once, shape (len(values),): pairs of mistakes try some ten thousand values.
+    """
     if quantity == "body":
-        return max(_gap(part, own, truth) for part in _INERTIAL)
-    value, true = (np.asarray(value_of(body, quantity)) for body in (own, truth))
-    difference = float(np.linalg.norm(value - true))
+        parts = ([value_of(body, part) for body in values] for part in _INERTIAL)
+        gaps = [_gaps(part, found, truth) for part, found in zip(_INERTIAL, parts, strict=True)]
+        return np.asarray(np.max(gaps, axis=0))
+    true = np.ravel(value_of(truth, quantity))
+    found = np.array(values, dtype=np.float64).reshape(-1, len(true))
+    difference = _lengths(found - true)
     if quantity == "turn":
         return difference
-    scale = max(float(np.linalg.norm(value)), float(np.linalg.norm(true)), floor)
-    return difference / scale if scale > 0.0 else 0.0
+    scale = np.maximum(_lengths(found), max(float(_lengths(true)), floor))
+    return np.divide(difference, scale, out=np.zeros_like(scale), where=scale > 0.0)
+
+
+def _lengths(vectors: Array) -> Array:
+    return np.asarray(np.sqrt((vectors * vectors).sum(axis=-1)))

@@ -15,6 +15,7 @@ import numpy as np
 from ..arm.states import MAX_ACCELERATION, States
 from ..arm.transforms import Array
 from ..comparison.pair import Pair
+from ..dynamics.equations import gravity_torque
 from ..dynamics.newton_euler import rnea
 from ..errors import UsageError
 from .ascent import Ascent, Gain, Gap, joint_gain, squared_sum
@@ -65,6 +66,8 @@ class _Question:
 
     def values(self, delta: Array) -> Array:
         """From Δτ of shape (N, n), shape (N,)."""
+        if self.joint is not None:
+            return np.abs(delta[:, self.joint])
         return np.asarray(np.linalg.norm(self.weights * delta, axis=-1))
 
     def gain(self, delta: Array) -> Gain:
@@ -126,7 +129,7 @@ class _Search:
     def __init__(self, pair: Pair, box: StateBox, gap: Gap, states: States, static: bool) -> None:
         self.pair, self.gap, self.states, self.static = pair, gap, states, static
         self.ascent = Ascent(gap, *box.ends(static=static))
-        self.delta, self.rounding = _delta(pair, states)
+        self.delta, self.rounding = _delta(pair, states, static)
 
     def answer(self, question: _Question, starts: int) -> WorstCase:
         sizes = question.values(self.delta)
@@ -140,7 +143,7 @@ class _Search:
             candidates += self._tops(chosen, question)
         # Our own recursion judges, and the best random state stands among the candidates.
         found = States(*np.reshape(candidates, (-1, 3, self.pair.a.n)).swapaxes(0, 1))
-        values = question.values(_delta(self.pair, found)[0])
+        values = question.values(_delta(self.pair, found, self.static)[0])
         winner, j = int(values.argmax()), question.joint
         value = float(values[winner])
         return WorstCase(
@@ -172,8 +175,14 @@ class _Search:
         return np.concatenate([self.states.q[k], self.states.qd[k], self.states.qdd[k]])
 
 
-def _delta(pair: Pair, states: States) -> tuple[Array, float]:
-    """Δτ, shape (N, n), by the hand-written recursion, and what of it may be rounding [N m]."""
-    tau_a, tau_b = (rnea(arm, states.q, states.qd, states.qdd) for arm in (pair.a, pair.b))
+def _delta(pair: Pair, states: States, static: bool) -> tuple[Array, float]:
+    """Δτ, shape (N, n), by the hand-written recursion, and what of it may be rounding [N m].
+
+    static : whether nothing moves in these states, which spares the terms of motion
+    """
+    tau_a, tau_b = (
+        gravity_torque(arm, states.q) if static else rnea(arm, states.q, states.qd, states.qdd)
+        for arm in (pair.a, pair.b)
+    )
     rounding = ROUNDING * pair.a.n * float(max(np.abs(tau_a).max(), np.abs(tau_b).max()))
     return np.asarray(tau_a - tau_b), rounding
