@@ -3,9 +3,7 @@
     gather   64 states are laid out in a scratch array, one row a joint's q, q̇ or q̈
     turn     angles become sines and cosines (`sincos`)
     line     the program itself, once a state of the block: no call, no branch, every row at a
-             constant distance in one array, so that the compiler can take 4 or 8 states at a time.
-             A long program is cut into several (`pieces`), since compiling one takes more than
-             twice as long when it is twice as long
+             constant distance in one array, so that the compiler can take 4 or 8 states at a time
     scatter  its rows go to the result
 
 Turn and line go to the compiler as they stand (`straight_line`); Numba reads only the loops around
@@ -16,7 +14,6 @@ from __future__ import annotations
 
 from ..closed_form.infix import description, right_hand_side
 from ..closed_form.program import STATE, Program, read_input
-from .pieces import LENGTH, Piece, pieces
 from .sincos import FAR, turn_source
 
 __all__ = ["BLOCK", "numba_source"]
@@ -24,14 +21,11 @@ __all__ = ["BLOCK", "numba_source"]
 BLOCK = 64  # states; 32 and 128 take 5 to 10 % longer
 
 
-def numba_source(program: Program, length: int = LENGTH) -> str:
+def numba_source(program: Program) -> str:
     """The module's text; its `run(*arrays, out)` takes float64 arrays of shape (N, n), any strides.
 
     arrays : those of `program.arguments`;  out : shape (N, entries of the result)
-    length : of the program's pieces, in lines
     """
-    parts = pieces(program, length)
-    carried = sorted({name for part in parts for name in part.given})
     text = [
         *(f"# {line}" for line in description(program)),
         "import math",
@@ -45,11 +39,10 @@ def numba_source(program: Program, length: int = LENGTH) -> str:
         f"ARGUMENTS = {program.arguments!r}",
         f"SHAPE = {program.shape!r}",
         f"BLOCK, JOINTS, ENTRIES = {BLOCK}, {program.n}, {len(program.outputs)}",
-        f"CARRIED = {len(carried)}  # rows from one piece of the program to the next",
         "",
         *_straight("turn", _turn(program.n)),
-        *_lines(program, parts, carried),
-        *_run(program, len(parts)),
+        *_straight("line", _line(program)),
+        *_run(program),
     ]
     return "\n".join(text) + "\n"
 
@@ -73,34 +66,24 @@ def _turn(n: int) -> list[str]:
     return ["x = w[k]", *turn_source(), f"{cosine} = cosine", f"{sine} = sine"]
 
 
-def _lines(program: Program, parts: list[Piece], carried: list[str]) -> list[str]:
-    """One straight line a piece: `line0`, `line1`, …"""
-    n, entries = program.n, len(program.outputs)
-    place = {name: _place(*read_input(name), n) for name in program.inputs}
-    place |= {line.name: _place("out", i, n) for i, line in enumerate(program.outputs)}
-    place |= {name: _place("out", entries + i, n) for i, name in enumerate(carried)}
-    text: list[str] = []
-    for number, part in enumerate(parts):
-        statements = [f"{name} = {place[name]}" for name in (*part.inputs, *part.taken)]
-        for line in part.lines:
-            if not line.terms:
-                continue  # its row is zero from the start
-            kept = f"{place[line.name]} = " if line.name in place else ""
-            statements.append(f"{kept}{line.name} = {right_hand_side(line)}")
-        text += _straight(f"line{number}", statements)
-    return text
+def _line(program: Program) -> list[str]:
+    n = program.n
+    return [
+        *(f"{name} = {_place(*read_input(name), n)}" for name in program.inputs),
+        *(f"{line.name} = {right_hand_side(line)}" for line in program.assignments),
+        *(
+            f"{_place('out', i, n)} = {right_hand_side(line)}"
+            for i, line in enumerate(program.outputs)
+            if line.terms  # else its row is zero from the start
+        ),
+    ]
 
 
-def _run(program: Program, parts: int) -> list[str]:
+def _run(program: Program) -> list[str]:
     n, arguments = program.n, (*program.arguments, "out")
     first = {kind: _row(kind, 0, n) * BLOCK for kind in (*program.arguments, "out")}
-    lines = [
-        text
-        for number in range(parts)
-        for text in ("    for k in range(BLOCK):", f"        line{number}(w, k)")
-    ]
     body = [
-        f"w = np.zeros({first['out']} + (ENTRIES + CARRIED) * BLOCK)",
+        f"w = np.zeros({first['out']} + ENTRIES * BLOCK)",
         "for start in range(0, q.shape[0], BLOCK):",
         "    count = min(BLOCK, q.shape[0] - start)",
         "    far = 0.0",
@@ -116,7 +99,8 @@ def _run(program: Program, parts: int) -> list[str]:
         "        for k in range(JOINTS * BLOCK):",
         "            w[k + JOINTS * BLOCK] = math.cos(w[k])",
         "            w[k + 2 * JOINTS * BLOCK] = math.sin(w[k])",
-        *lines,
+        "    for k in range(BLOCK):",
+        "        line(w, k)",
         "    if out.strides[0] >= out.strides[1]:  # a state's entries lie together",
         "        for k in range(count):",
         "            for i in range(ENTRIES):",
