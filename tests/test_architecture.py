@@ -167,7 +167,17 @@ def loaded_after(statement: str) -> set[str]:
 
 
 def test_importing_ur5check_loads_nothing_heavy():
-    heavy = {"numpy", "pinocchio", "xacro", "yourdfpy", "rich", "sympy", "numba", *ENGINES}
+    heavy = {
+        "numpy",
+        "pinocchio",
+        "xacro",
+        "yourdfpy",
+        "rich",
+        "sympy",
+        "numba",
+        "llvmlite",
+        *ENGINES,
+    }
     assert not loaded_after("import ur5check") & heavy
 
 

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 HEAVY = (
     "numpy", "pinocchio", "mujoco", "pydrake", "dartpy", "idyntree", "rich", "lxml", "yourdfpy",
-    "xacro", "hypothesis", "numba", "jax", "distributed", "pyarrow", "sympy", "matplotlib", "scipy",
+    "xacro", "hypothesis", "numba", "llvmlite", "jax", "distributed", "pyarrow", "sympy",
+    "matplotlib", "scipy",
 )  # fmt: skip
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from ur5check.benchmarking.commands import COMMANDS
 from ur5check.benchmarking.first_use import COLD, IMPORT, WARM
-from ur5check.benchmarking.torques import LOOP, NUMBA, NUMPY, PARALLEL, with_threads
+from ur5check.benchmarking.torques import LLVM, LOOP, NUMPY, PARALLEL, with_threads
 from ur5check.cli.main import main
 
 PAGE = (Path(__file__).parents[2] / "docs" / "performance.md").read_text(encoding="utf-8")
@@ -40,10 +40,10 @@ def times_as_fast(slow: str, fast: str) -> float:
 
 MEASURED = {
     "kernel against `pin.rneaInParallel`, 1 thread": lambda: times_as_fast(
-        with_threads(PARALLEL, 1), with_threads(NUMBA, 1)
+        with_threads(PARALLEL, 1), with_threads(LLVM, 1)
     ),
-    "the same, 2 threads": lambda: times_as_fast(with_threads(PARALLEL, 2), with_threads(NUMBA, 2)),
-    "kernel against the Python loop": lambda: times_as_fast(LOOP, with_threads(NUMBA, 1)),
+    "the same, 2 threads": lambda: times_as_fast(with_threads(PARALLEL, 2), with_threads(LLVM, 2)),
+    "kernel against the Python loop": lambda: times_as_fast(LOOP, with_threads(LLVM, 1)),
     "NumPy path against `pin.rneaInParallel`, 1 thread": lambda: times_as_fast(
         with_threads(PARALLEL, 1), with_threads(NUMPY, 1)
     ),
@@ -71,7 +71,7 @@ def test_every_goal_is_measured() -> None:
 
 def test_the_run_is_whole() -> None:
     for title in ("The limit of memory", "Matrices", "One state, and many", "Longer arms"):
-        assert with_threads(NUMBA, 1) in table(title), title
+        assert with_threads(LLVM, 1) in table(title), title
     assert {IMPORT, COLD, WARM} <= set(table("The first call of a kernel"))
     assert {"python -c pass", "import ur5check", "ur5check --help"} <= set(table("Start-up"))
     page = PAGE.replace("\\", "")

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import sys
-
 import pytest
 
 import ur5check as ur5
 from ur5check.errors import UsageError
-from ur5check.kernels.cache import cache_folder, generated_module
+from ur5check.kernels.cache import cache_folder, kept
 from ur5check.kernels.fingerprint import fingerprint
 
 
@@ -19,33 +17,26 @@ def folder(tmp_path, monkeypatch):
     return place
 
 
-def forget(key):
-    sys.modules.pop(f"ur5check_kernel_{key}", None)
-
-
-def test_a_module_is_made_once(folder):
+def test_code_is_made_once(folder):
     made = []
 
-    def source():
+    def make():
         made.append(1)
-        return "VALUE = 42\n"
+        return b"two\nlines"
 
-    for _ in range(2):
-        assert generated_module("once", source).VALUE == 42
-        forget("once")
+    assert [kept("once.o", make) for _ in range(2)] == [b"two\nlines"] * 2
     assert made == [1]
-    assert [file.name for file in folder.glob("*.py")] == ["ur5check_kernel_once.py"]
+    assert [file.name for file in folder.iterdir()] == ["once.o"]
 
 
-@pytest.mark.parametrize("spoil", ["VALUE = 41\n", ""])
+@pytest.mark.parametrize("spoil", [b"41", b"", b"42 "])
 def test_a_spoiled_file_is_made_again(folder, spoil):
-    generated_module("spoiled", lambda: "VALUE = 42\n")
-    forget("spoiled")
-    (file,) = folder.glob("*.py")
-    head = file.read_text("utf-8").partition("\n")[0]
-    file.write_text(f"{head}\n{spoil}", "utf-8")
-    assert generated_module("spoiled", lambda: "VALUE = 43\n").VALUE == 43
-    forget("spoiled")
+    kept("spoiled.o", lambda: b"42")
+    (file,) = folder.iterdir()
+    head = file.read_bytes().partition(b"\n")[0]
+    file.write_bytes(head + b"\n" + spoil)
+    assert kept("spoiled.o", lambda: b"43") == b"43"
+    assert kept("spoiled.o", lambda: b"44") == b"43"
 
 
 def test_a_folder_that_others_may_write_is_refused(folder):

@@ -35,7 +35,7 @@ def arguments(states, names):
     return [getattr(states, name) for name in names]
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_a_kernel_is_the_recursion(quantity, path, slider):
     states = random_states(slider.n, 150, seed=2)  # two blocks of 64, and a part of one
@@ -46,7 +46,7 @@ def test_a_kernel_is_the_recursion(quantity, path, slider):
     assert np.abs(found - wanted).max() <= ROUNDING * np.abs(wanted).max()
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 def test_the_regressor_too(path):
     arm = random_arm(2, seed=1)
     states = random_states(2, 70, seed=2)
@@ -55,7 +55,7 @@ def test_the_regressor_too(path):
     assert np.abs(found - wanted).max() <= ROUNDING * np.abs(wanted).max()
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 def test_a_kernel_is_pinocchios(path, appendix):
     states = random_states(6, 1000, seed=3)
     found = ur5.compile(appendix, path=path).rnea(states.q, states.qd, states.qdd)
@@ -63,7 +63,7 @@ def test_a_kernel_is_pinocchios(path, appendix):
     assert np.abs(found - wanted).max() <= 1e-11
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 def test_layouts_threads_and_out_change_no_digit(path, appendix):
     states = random_states(6, 200, seed=4)
     given = [states.q, states.qd, states.qdd]
@@ -91,11 +91,11 @@ def test_as_many_states_as_joints_are_never_guessed(appendix):
 def test_angles_beyond_the_fast_sine_are_right_too(appendix):
     states = random_states(6, 64, seed=6)
     far = states.q * 1e6
-    found = ur5.compile(appendix, path="numba").gravity_torque(far)
+    found = ur5.compile(appendix, path="llvm").gravity_torque(far)
     assert np.abs(found - ur5.gravity_torque(appendix, far)).max() <= 1e-11
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 def test_a_difference_of_two_arms(path, appendix):
     heavier = appendix.with_inertias([link.inertia for link in ur5.load("erd-ur5").links])
     states = random_states(6, 100, seed=7)
@@ -106,7 +106,7 @@ def test_a_difference_of_two_arms(path, appendix):
     assert np.abs(wanted).max() > 1.0
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 def test_an_arm_does_not_differ_from_itself(path):
     arm = random_arm(2, seed=1)
     states = random_states(2, 70, seed=2)
@@ -123,7 +123,7 @@ def test_another_gravity_is_another_kernel(appendix):
     assert np.abs(found - ur5.compile(appendix).gravity_torque(q)).max() > 1.0
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 def test_arrays_as_they_come(path, appendix):
     """Read-only, reversed, unaligned, of other byte order, single precision, lists, none at all."""
     q = np.float32(random_states(6, 70, seed=9).q).astype(float)
@@ -139,7 +139,7 @@ def test_arrays_as_they_come(path, appendix):
     assert kernel.gravity_torque(q[:0]).shape == (0, 6)
 
 
-@pytest.mark.parametrize("path", ["numba", "numpy"])
+@pytest.mark.parametrize("path", ["llvm", "numpy"])
 def test_what_is_beyond_all_computing_is_no_number(path, appendix):
     huge = np.full((1, 6), 1e200)
     found = ur5.compile(appendix, path=path).rnea(np.ones((1, 6)), huge, np.ones((1, 6)))
@@ -184,7 +184,7 @@ def test_options_without_meaning_are_refused(appendix):
         ur5.compile(appendix).gravity_torque(np.zeros((4, 6)), layout="rows")
 
 
-def test_numba_is_used_by_itself(appendix):
-    assert default_path() == "numba"
+def test_llvm_is_used_by_itself(appendix):
+    assert default_path() == "llvm"
     assert isinstance(ur5.compile(appendix), Kernel)
-    assert ur5.compile(appendix).path == "numba"
+    assert ur5.compile(appendix).path == "llvm"

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from ur5check.kernels.kernel import Kernel
-from ur5check.kernels.numba_source import BLOCK as NUMBA_BLOCK
+from ur5check.kernels.machine_code import BLOCK as LLVM_BLOCK
 from ur5check.kernels.numpy_source import BLOCK as NUMPY_BLOCK
 
 PAGE = (Path(__file__).parents[2] / "docs" / "kernels.md").read_text(encoding="utf-8")
@@ -34,5 +34,5 @@ def test_every_function_is_on_the_page() -> None:
 
 
 def test_blocks_are_as_long_as_the_page_says() -> None:
-    assert f"{NUMBA_BLOCK} states at a time" in PAGE
+    assert f"{LLVM_BLOCK} states at a time" in PAGE
     assert f"{NUMPY_BLOCK:,} states at a time" in PAGE

@@ -2,13 +2,12 @@
 
     python -m ur5check.benchmarking.first_call rnea < ARM
 
-reads a pickled arm and prints, as JSON, how long NumPy and Numba took to import, and how long it
-took from there to the first result [s].
+reads a pickled arm and prints, as JSON, how long NumPy took to import, and how long it took
+from there to the first result [s].
 """
 
 from __future__ import annotations
 
-import contextlib
 import json
 import pickle
 import sys
@@ -22,8 +21,6 @@ def main(quantity: str) -> tuple[float, float]:
     began = perf_counter()
     import numpy as np
 
-    with contextlib.suppress(ImportError):
-        import numba  # noqa: F401
     imported = perf_counter()
     arm = pickle.load(sys.stdin.buffer)  # noqa: S301 - from the process that started this one
     state = np.zeros((_ARGUMENTS.get(quantity, 3), 1, arm.n))

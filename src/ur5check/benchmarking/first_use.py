@@ -30,7 +30,7 @@ _QUANTITIES = {
     "torque regressor": "torque_regressor",
 }
 _MOST = 3  # rounds; a compilation takes seconds, and scatters little
-IMPORT, COLD, WARM = "import of NumPy and Numba", "nothing on disk", "code on disk"
+IMPORT, COLD, WARM = "import of NumPy", "nothing on disk", "code on disk"
 
 
 def first_use(arm: SerialArm, lengths: Sequence[int], seed: int, rounds: int) -> Chapter:
@@ -41,8 +41,8 @@ def first_use(arm: SerialArm, lengths: Sequence[int], seed: int, rounds: int) ->
         "first-use",
         "The first call of a kernel",
         "process",
-        f"By {'Numba' if default_path() == 'numba' else 'NumPy'}, in a new process each time, "
-        "without the import of NumPy and Numba, which is given apart.",
+        f"By {'LLVM' if default_path() == 'llvm' else 'NumPy'}, in a new process each time, "
+        "without the import of NumPy, which is given apart.",
         (*(_compared(what, name, arm, rounds) for what, name in _QUANTITIES.items()), *longer),
         series=True,
     )

@@ -14,7 +14,7 @@ from ..kernels import kernel
 from .pinocchio_calls import PinocchioCalls
 from .result import Chapter, Comparison
 from .timing import Contestant, race
-from .torques import NUMBA, NUMPY, with_threads
+from .torques import LLVM, NUMPY, with_threads
 
 __all__ = ["matrices"]
 
@@ -65,8 +65,8 @@ def _compared(arm: SerialArm, calls: PinocchioCalls, name: str, rounds: int) -> 
     loop = Contestant(f"Python loop over {algorithm}", calls.loop(algorithm, count), count)
     ours = Contestant(f"ur5check.{method}", lambda: function(arm, *given), count)
     made = [(NUMPY, kernel.compile(arm, path="numpy"))]
-    if kernel.default_path() == "numba":
-        made.append((NUMBA, kernel.compile(arm, path="numba")))
+    if kernel.default_path() == "llvm":
+        made.append((LLVM, kernel.compile(arm, path="llvm")))
     generated = [
         Contestant(with_threads(title, 1), _filled(asked, method, given), count)
         for title, asked in made

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .memory import COPY
 from .result import Benchmark, Comparison
-from .torques import LOOP, NUMBA, NUMPY, PARALLEL, with_threads
+from .torques import LLVM, LOOP, NUMPY, PARALLEL, with_threads
 
 __all__ = ["tell"]
 
@@ -20,7 +20,7 @@ def _torques(b: Benchmark) -> list[str]:
     if torques is None:
         return []
     said = []
-    for ours in (NUMBA, NUMPY):
+    for ours in (LLVM, NUMPY):
         faster = [
             f"{ratio:.3g} times as fast as {PARALLEL}, {_threads(number)} each"
             for number in sorted({1, b.threads})
@@ -37,7 +37,7 @@ def _torques(b: Benchmark) -> list[str]:
 
 def _memory(b: Benchmark) -> list[str]:
     memory = b.comparison("memory")
-    share = memory and _ratio(memory, with_threads(COPY, 1), with_threads(NUMBA, 1))
+    share = memory and _ratio(memory, with_threads(COPY, 1), with_threads(LLVM, 1))
     if not share:
         return []
     return [f"Memory would allow {1.0 / share:.2g} times the kernel's rate, on one thread."]

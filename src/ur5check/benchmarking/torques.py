@@ -20,8 +20,8 @@ from .result import Chapter
 from .timing import Contestant, race
 
 __all__ = [
+    "LLVM",
     "LOOP",
-    "NUMBA",
     "NUMPY",
     "PARALLEL",
     "RECURSION",
@@ -37,8 +37,8 @@ __all__ = [
 LOOP = "Python loop over pin.rnea"
 PARALLEL = "pin.rneaInParallel"
 RECURSION = "ur5check.rnea"
-NUMPY, NUMBA = "kernel on NumPy", "kernel by Numba"
-TRANSPOSED = "kernel by Numba, arrays (n, N)"
+NUMPY, LLVM = "kernel on NumPy", "kernel by LLVM"
+TRANSPOSED = "kernel by LLVM, arrays (n, N)"
 
 #: A loop costs the same a state however long it is; these are as many as it is asked.
 _IN_A_LOOP, _IN_A_SLOW_LOOP = 100_000, 5_000
@@ -94,10 +94,10 @@ def recursion(arm: SerialArm, states: States) -> Contestant:
 
 
 def kernels(arm: SerialArm, states: States, threads: int = 1) -> list[Contestant]:
-    """The generated code, on NumPy and, where it is installed, by Numba."""
+    """The generated code, on NumPy and, where it is installed, by LLVM."""
     paths: list[tuple[str, kernel.Path]] = [(NUMPY, "numpy")] * (threads == 1)
-    if kernel.default_path() == "numba":
-        paths.append((NUMBA, "numba"))
+    if kernel.default_path() == "llvm":
+        paths.append((LLVM, "llvm"))
     return [
         Contestant(with_threads(name, threads), _kernel(arm, states, threads, path), len(states.q))
         for name, path in paths
@@ -111,10 +111,10 @@ def _kernel(arm: SerialArm, states: States, threads: int, path: kernel.Path) -> 
 
 def _transposed(arm: SerialArm, states: States) -> list[Contestant]:
     """The kernel on arrays of one row a joint."""
-    if kernel.default_path() != "numba":
+    if kernel.default_path() != "llvm":
         return []
     rows = [np.ascontiguousarray(part.T) for part in (states.q, states.qd, states.qdd)]
-    ask, out = kernel.compile(arm, path="numba").rnea, np.empty_like(rows[0])
+    ask, out = kernel.compile(arm, path="llvm").rnea, np.empty_like(rows[0])
 
     def run() -> Array:
         return ask(*rows, layout="joints", out=out).T

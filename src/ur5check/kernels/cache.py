@@ -1,31 +1,25 @@
 """Where generated code is kept between runs, and why it can be trusted.
 
-A module is kept by the name of what it was made from: the numbers of the arm, the quantity, and the
-versions that made it.  Its first line carries the SHA-256 of the rest; a file that does not match
-is made again.  Code found in a folder that others may write would be other people's code, so such a
-folder is refused.
+Code is kept by the name of what it was made from: the numbers of the arm, the quantity, and what
+made it.  A file's first line carries the SHA-256 of the rest; a file that does not match is made
+again.  Code found in a folder that others may write would be other people's code, so such a folder
+is refused.
 """
 
 from __future__ import annotations
 
 import hashlib
-import importlib.util
 import os
 import secrets
-import sys
-import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from ..errors import UsageError
 
-__all__ = ["cache_folder", "generated_module"]
+__all__ = ["cache_folder", "kept"]
 
 _VARIABLE = "UR5CHECK_CACHE"
-#: A thread must not be handed the module that another is still compiling.
-_ONE_AT_A_TIME = threading.Lock()
-_MARK = "# SHA-256 of what follows: "
+_MARK = b"# SHA-256 of what follows: "
 
 
 def cache_folder() -> Path:
@@ -54,46 +48,32 @@ def cache_folder() -> Path:
     return folder
 
 
-def generated_module(key: str, source: Callable[[], str]) -> Any:
-    """The module of that key: imported, read from disk, or made.
+def kept(name: str, make: Callable[[], bytes]) -> bytes:
+    """The code of that name: read from disk, or made and left there.
 
-    key : what the source is made from, hashed;  source : makes its text, called only when needed
+    name : of a file, and of what the code is made from, hashed;  make : called only when needed
     """
-    with _ONE_AT_A_TIME:
-        return _found(f"ur5check_kernel_{key}", source)
+    file = cache_folder() / name
+    code = _whole(file)
+    if code is None:
+        code = make()
+        _write(file, code)
+    return code
 
 
-def _found(name: str, source: Callable[[], str]) -> Any:
-    if name in sys.modules:
-        return sys.modules[name]
-    file = cache_folder() / f"{name}.py"
-    if not _whole(file):
-        _write(file, source())
-    spec = importlib.util.spec_from_file_location(name, file)
-    assert spec is not None and spec.loader is not None  # noqa: S101 - a .py file has a loader
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
+def _whole(file: Path) -> bytes | None:
     try:
-        spec.loader.exec_module(module)
-    except BaseException:
-        del sys.modules[name]
-        raise
-    return module
+        head, _, code = file.read_bytes().partition(b"\n")
+    except OSError:
+        return None
+    return code if head == _MARK + _digest(code) else None
 
 
-def _whole(file: Path) -> bool:
-    try:
-        head, _, rest = file.read_text("utf-8").partition("\n")
-    except (OSError, UnicodeDecodeError):
-        return False
-    return head == _MARK + _digest(rest)
-
-
-def _write(file: Path, source: str) -> None:
+def _write(file: Path, code: bytes) -> None:
     draft = file.with_name(f".{file.name}.{secrets.token_hex(4)}.tmp")
-    draft.write_text(f"{_MARK}{_digest(source)}\n{source}", "utf-8")
+    draft.write_bytes(b"%b%b\n%b" % (_MARK, _digest(code), code))
     draft.replace(file)
 
 
-def _digest(text: str) -> str:
-    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+def _digest(code: bytes) -> bytes:
+    return hashlib.sha256(code).hexdigest().encode()

@@ -1,16 +1,17 @@
 """`ur5check.compile`: one arm's dynamics as straight-line code, for arrays of states.
 
-Each quantity is traced once from the recursion (`closed_form`), regrouped and factored, written as
-a module, fused by Numba where it is installed, and kept on disk.  Without Numba the same lines run
-on NumPy, a block of states at a time.
+Each quantity is traced once from the recursion (`closed_form`), regrouped and factored, compiled by
+LLVM where llvmlite is installed, and kept on disk.  Without it the same lines run on NumPy, a block
+of states at a time.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache, lru_cache
-from importlib import metadata
+from functools import lru_cache
+from importlib.util import find_spec
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -20,18 +21,21 @@ from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array
 from ..errors import UsageError
 from .arrays import Layout, as_states, empty_result, refuse_unless_finite
-from .cache import generated_module
+from .cache import kept
 from .fingerprint import fingerprint
 
 __all__ = ["DifferenceKernel", "Kernel", "Path", "compile", "compile_difference", "default_path"]
 
 #: What runs the lines.
-Path = Literal["numba", "numpy"]
+Path = Literal["llvm", "numpy"]
+
+#: (q, qd, qdd, out) of shape (N, …), None for what a quantity does not depend on.
+_Run = Callable[[Array, Array | None, Array | None, Array], None]
 
 
 def default_path() -> Path:
-    """Numba's where it is installed, else NumPy's."""
-    return "numba" if _numba_version() else "numpy"
+    """LLVM where llvmlite is installed, else NumPy."""
+    return "llvm" if find_spec("llvmlite") else "numpy"
 
 
 def compile(  # noqa: A001 - the word for it
@@ -39,8 +43,8 @@ def compile(  # noqa: A001 - the word for it
 ) -> Kernel:
     """Compiled dynamics of an arm under its own gravity.
 
-    threads : states are shared among so many; Numba's code runs outside Python's lock
-    path : "numba" (`ur5check[fast]`) or "numpy"; None: Numba where it is installed
+    threads : states are shared among so many; machine code runs outside Python's lock
+    path : "llvm" (`ur5check[fast]`) or "numpy"; None: LLVM where llvmlite is installed
 
     A quantity is compiled when it is first asked for, and found on disk by the arm's numbers later
     (`cache`).  Raises UsageError for a number of threads below 1 or a path that is not here.
@@ -82,25 +86,25 @@ class Kernel:
         out: Array | None = None,
     ) -> Array:
         """τ = M q̈ + C q̇ + g, shape (N, n) [N m]."""
-        return self._ask("tau", {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+        return self._ask("tau", (self.arm.n,), {"q": q, "qd": qd, "qdd": qdd}, layout, out)
 
     def mass_matrix(
         self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
         """M(q), shape (N, n, n) [kg m²]."""
-        return self._ask("M", {"q": q}, layout, out)
+        return self._ask("M", (self.arm.n, self.arm.n), {"q": q}, layout, out)
 
     def coriolis_matrix(
         self, q: ArrayLike, qd: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
         """C(q, q̇) of Christoffel symbols, shape (N, n, n) [N m s]."""
-        return self._ask("C", {"q": q, "qd": qd}, layout, out)
+        return self._ask("C", (self.arm.n, self.arm.n), {"q": q, "qd": qd}, layout, out)
 
     def gravity_torque(
         self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
         """g(q), shape (N, n) [N m]."""
-        return self._ask("g", {"q": q}, layout, out)
+        return self._ask("g", (self.arm.n,), {"q": q}, layout, out)
 
     def torque_regressor(
         self,
@@ -112,13 +116,19 @@ class Kernel:
         out: Array | None = None,
     ) -> Array:
         """Y(q, q̇, q̈), shape (N, n, 10 n), in the order of `ur5check.torque_regressor`."""
-        return self._ask("regressor", {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+        shape = (self.arm.n, 10 * self.arm.n)
+        return self._ask("regressor", shape, {"q": q, "qd": qd, "qdd": qdd}, layout, out)
 
     def _ask(
-        self, quantity: Any, arrays: dict[str, ArrayLike], layout: Layout, out: Array | None
+        self,
+        quantity: Any,
+        shape: tuple[int, ...],
+        arrays: dict[str, ArrayLike],
+        layout: Layout,
+        out: Array | None,
     ) -> Array:
-        module = _module((self.arm,), quantity, self.path)
-        return _run(module, self.arm, self.threads, arrays, layout, out)
+        run = _code((self.arm,), quantity, self.path)
+        return _shared(run, self.arm, self.threads, shape, arrays, layout, out)
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,46 +150,53 @@ class DifferenceKernel:
         out: Array | None = None,
     ) -> Array:
         """τ_a − τ_b, shape (N, n) [N m]; arrays and errors as in `Kernel`."""
-        arms = (self.a, self.b)
-        module = _module(arms, "difference", self.path)
+        run = _code((self.a, self.b), "difference", self.path)
         arrays = {"q": q, "qd": qd, "qdd": qdd}
-        return _run(module, self.a, self.threads, arrays, layout, out)
+        return _shared(run, self.a, self.threads, (self.a.n,), arrays, layout, out)
 
 
 @lru_cache(maxsize=64)
-def _module(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> Any:
+def _code(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> _Run:
     """The generated code of one arm, or of two and their difference.
 
     Arms never change, so each is looked up once.
     """
 
-    def made() -> str:
-        from .source import difference_source, source  # takes longer than finding it on disk
+    def make() -> bytes:
+        from .source import made  # takes longer than finding it on disk
 
-        if len(arms) == 2:
-            return difference_source(*arms, path)
-        return source(arms[0], quantity, path)
+        return made(arms, quantity, path)
 
-    key = fingerprint(arms, quantity, path, _numba_version() or "", np.__version__)
-    return generated_module(f"{quantity}_{path}_{key}", made)
+    if path == "numpy":
+        key = fingerprint(arms, quantity, path)
+        names: dict[str, Any] = {}
+        exec(kept(f"{quantity}_{key}.py", make), names)  # noqa: S102 - our own text
+        python: _Run = names["run"]
+        return python
+    from .machine_code import MachineCode, processor
+
+    key = fingerprint(arms, quantity, path, processor())
+    return MachineCode(kept(f"{quantity}_{key}.o", make))
 
 
-def _run(
-    module: Any,
+def _shared(
+    run: _Run,
     arm: SerialArm,
     threads: int,
+    shape: tuple[int, ...],
     arrays: dict[str, ArrayLike],
     layout: Layout,
     out: Array | None,
 ) -> Array:
+    """Run it on the states, shared among threads."""
     views, single = as_states(arm, arrays, layout)
     count = len(views["q"])
-    result, flat = empty_result(count, module.SHAPE, layout, out)
-    used = [views[name] for name in module.ARGUMENTS]
+    result, flat = empty_result(count, shape, layout, out)
 
     def share(part: slice) -> None:
-        with np.errstate(over="ignore", invalid="ignore"):  # compiled code does not warn either
-            module.run(*(array[part] for array in used), flat[part])
+        qd, qdd = (views[name][part] if name in views else None for name in ("qd", "qdd"))
+        with np.errstate(over="ignore", invalid="ignore"):  # machine code does not warn either
+            run(views["q"][part], qd, qdd, flat[part])
 
     if threads == 1 or count < 2 * threads:
         share(slice(None))
@@ -200,14 +217,6 @@ def _checked(threads: int, path: Path | None) -> tuple[int, Path]:
     path = path or default_path()
     if path not in get_args(Path):
         raise UsageError(f"path must be one of {', '.join(get_args(Path))}, not {path!r}")
-    if path == "numba" and not _numba_version():
-        raise UsageError("Numba is not installed; pip install 'ur5check[fast]', or path='numpy'")
+    if path == "llvm" and default_path() != "llvm":
+        raise UsageError("llvmlite is not installed; pip install 'ur5check[fast]', or path='numpy'")
     return threads, path
-
-
-@cache
-def _numba_version() -> str | None:
-    try:
-        return metadata.version("numba")
-    except metadata.PackageNotFoundError:
-        return None

@@ -11,17 +11,17 @@ BLOCK = 4096  # states: a row of 32 kB, of which the processor's second cache ho
 
 
 def numpy_source(program: Program) -> str:
-    """The module's text; its `run(*arrays, out)` takes float64 arrays of shape (N, n), any strides.
+    """The module's text; its `run(q, qd, qdd, out)` takes float64 arrays, any strides.
 
-    arrays : those of `program.arguments`;  out : shape (N, entries of the result)
+    q, qd, qdd : shape (N, n), those of `program.arguments`; the others are not looked at
+    out : shape (N, entries of the result)
     """
-    arguments = program.arguments
     body = [
         f"results = np.empty(({len(program.outputs)}, min({BLOCK}, len(q))))",
         f"for start in range(0, len(q), {BLOCK}):",
         f"    block = slice(start, start + {BLOCK})",
         "    here = results[:, : len(q) - start]",
-        *(f"    rows_{name} = np.ascontiguousarray({name}[block].T)" for name in arguments),
+        *(f"    rows_{name} = np.ascontiguousarray({name}[block].T)" for name in program.arguments),
         *(f"    {name} = {_read(name)}" for name in program.inputs),
         *(f"    {line.name} = {right_hand_side(line)}" for line in program.assignments),
         *(f"    here[{i}] = {right_hand_side(line)}" for i, line in enumerate(program.outputs)),
@@ -31,11 +31,8 @@ def numpy_source(program: Program) -> str:
         *(f"# {line}" for line in description(program)),
         "import numpy as np",
         "",
-        f"ARGUMENTS = {program.arguments!r}",
-        f"SHAPE = {program.shape!r}",
         "",
-        "",
-        f"def run({', '.join((*arguments, 'out'))}):",
+        "def run(q, qd, qdd, out):",
         *(f"    {text}" for text in body),
     ]
     return "\n".join(lines) + "\n"

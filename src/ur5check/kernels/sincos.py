@@ -1,4 +1,4 @@
-"""Sine and cosine as straight-line arithmetic, so that a compiler takes four or eight at a time.
+"""Sine and cosine by sums and products alone, so that a processor takes eight at a time.
 
 A libm's functions look things up and branch, which stops vector units.  Here the angle is brought
 to r in [−π/2, π/2] by a multiple m of π, taken off in three parts (Cody & Waite 1980), and
@@ -16,8 +16,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
-__all__ = ["COS", "FAR", "PI", "SIN", "turn_source"]
+__all__ = ["COS", "FAR", "PI", "SIN", "turned"]
 
 #: Largest angle for which m · PI[0] and m · PI[1] are exact [rad]: m < 2¹⁶, 33 bits each.
 FAR = 1e5
@@ -52,24 +53,21 @@ COS = (
 _ROUND = 6755399441055744.0  # 1.5 · 2⁵²
 
 
-def turn_source() -> list[str]:
-    """Lines of a loop body: from x, to `cosine` and `sine`."""
-    return [
-        f"m = x * {1.0 / math.pi!r} + {_ROUND!r}",
-        f"m = m - {_ROUND!r}",
-        f"r = ((x - m * {PI[0]!r}) - m * {PI[1]!r}) - m * {PI[2]!r}",
-        f"half = m * 0.5 + {_ROUND!r}",
-        f"odd = m - 2.0 * (half - {_ROUND!r})",
-        "sign = 1.0 - 2.0 * odd * odd",
-        "t = r * r",
-        f"sine = sign * r * ({_horner(SIN)})",
-        f"cosine = sign * ({_horner(COS)})",
-    ]
+def turned(x: Any) -> tuple[Any, Any]:
+    """cos x and sin x of anything that adds and multiplies as float64 does [rad].
+
+    Arrays of NumPy do; so do `llvm_values.Values`, which write down what is done to them.
+    """
+    m = (x * (1.0 / math.pi) + _ROUND) - _ROUND
+    r = ((x - m * PI[0]) - m * PI[1]) - m * PI[2]
+    odd = m - 2.0 * ((m * 0.5 + _ROUND) - _ROUND)
+    sign = 1.0 - 2.0 * odd * odd
+    t = r * r
+    return sign * _polynomial(COS, t), sign * r * _polynomial(SIN, t)
 
 
-def _horner(coefficients: Sequence[float]) -> str:
-    *rest, last = coefficients
-    text = repr(last)
+def _polynomial(coefficients: Sequence[float], t: Any) -> Any:
+    *rest, value = coefficients
     for coefficient in reversed(rest):
-        text = f"({text}) * t + ({coefficient!r})"
-    return text
+        value = value * t + coefficient
+    return value

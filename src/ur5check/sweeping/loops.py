@@ -1,13 +1,16 @@
-"""Which inner loops a sweep runs: Numba's where it is installed, as for torques; else NumPy's."""
+"""Which inner loops a sweep runs: Numba's where it is installed, else NumPy's."""
 
 from __future__ import annotations
 
+from importlib.util import find_spec
+
 from ..arm.transforms import Array
-from ..kernels.kernel import default_path
 from . import rows
 from .rows import RowTally
 
 __all__ = ["drawn", "row_tally"]
+
+_NUMBA = find_spec("numba") is not None
 
 
 def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Array:
@@ -15,7 +18,7 @@ def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Arr
 
     width, lower : of each row, shape (rows,); a word w of 32 bits becomes w · width + lower
     """
-    if default_path() == "numba":
+    if _NUMBA:
         from . import fused
 
         return fused.drawn(seed, block, width, lower, length)
@@ -24,7 +27,7 @@ def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Arr
 
 def row_tally(row: Array, over: float) -> RowTally:
     """What is counted of one joint's Δτ, shape (N,), contiguous [N m]."""
-    if default_path() == "numba":
+    if _NUMBA:
         from . import fused
 
         return fused.row_tally(row, over)

@@ -29,14 +29,14 @@ class TorqueDifference:
 
 
 def torque_difference(a: SerialArm, b: SerialArm) -> TorqueDifference:
-    """By a kernel of the difference where Numba is installed, else by the recursion on NumPy."""
-    if default_path() == "numba":
-        kernel = compile_difference(a, b, path="numba")
+    """By a kernel of the difference where llvmlite is installed, else by the recursion on NumPy."""
+    if default_path() == "llvm":
+        kernel = compile_difference(a, b, path="llvm")
 
         def compiled(q: Array, qd: Array, qdd: Array) -> Array:
             return kernel(q.T, qd.T, qdd.T, layout="joints").T
 
-        return TorqueDifference("numba", compiled)
+        return TorqueDifference("llvm", compiled)
 
     def difference(q: Array, qd: Array, qdd: Array) -> Array:
         return np.asarray(rnea(a, q, qd, qdd) - rnea(b, q, qd, qdd))
