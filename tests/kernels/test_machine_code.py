@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import platform
+
 import numpy as np
 import pytest
 
+import ur5check as ur5
 from ur5check.arm.states import random_states
 from ur5check.closed_form.program import Assignment, Program, Term, state_names
+from ur5check.closed_form.trace import trace
 from ur5check.kernels import machine_code as module
 from ur5check.kernels.llvm_source import llvm_source
 from ur5check.kernels.machine_code import BLOCK, MachineCode, machine_code, processor
@@ -68,6 +72,18 @@ def test_an_array_that_is_not_read_may_be_missing() -> None:
 def test_what_is_no_module_is_refused() -> None:
     with pytest.raises(RuntimeError, match="expected"):
         machine_code("define nothing")
+
+
+@pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="asks for an x86-64")
+def test_a_plain_processor_says_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Registers of two, and no fused multiply-add: other roundings, no other result."""
+    made = trace(ur5.load("appendix"), "tau", tries=0)
+    states = random_states(6, 2 * BLOCK + 1, seed=3)
+    here = ran(made, states.q, states.qd, states.qdd)
+    monkeypatch.setattr(module.llvm, "get_host_cpu_name", lambda: "x86-64")
+    monkeypatch.setattr(module.llvm, "get_host_cpu_features", lambda: module.llvm.FeatureMap({}))
+    plain = ran(made, states.q, states.qd, states.qdd)
+    assert 0.0 < np.abs(plain - here).max() < 1e-12 * np.abs(here).max()
 
 
 def test_code_is_for_one_processor(monkeypatch: pytest.MonkeyPatch) -> None:

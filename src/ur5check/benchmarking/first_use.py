@@ -20,9 +20,10 @@ from .growth import chain
 from .result import Chapter, Comparison
 from .timing import ranked
 
-__all__ = ["first_use"]
+__all__ = ["COLD", "FIRST_CALLS", "IMPORT", "WARM", "first_use"]
 
-_QUANTITIES = {
+#: What is asked of the arm itself, and by which of a kernel's functions.
+FIRST_CALLS = {
     "torques": "rnea",
     "mass matrix": "mass_matrix",
     "Coriolis matrix": "coriolis_matrix",
@@ -43,7 +44,7 @@ def first_use(arm: SerialArm, lengths: Sequence[int], seed: int, rounds: int) ->
         "process",
         f"By {'LLVM' if default_path() == 'llvm' else 'NumPy'}, in a new process each time, "
         "without the import of NumPy, which is given apart.",
-        (*(_compared(what, name, arm, rounds) for what, name in _QUANTITIES.items()), *longer),
+        (*(_compared(what, name, arm, rounds) for what, name in FIRST_CALLS.items()), *longer),
         series=True,
     )
 
