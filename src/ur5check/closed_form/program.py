@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from math import prod
+from functools import reduce
+from operator import mul
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import StateError
 
-__all__ = ["STATE", "Assignment", "Operations", "Program", "Term", "read_input", "state_names"]
+__all__ = [
+    "STATE",
+    "Assignment",
+    "Operations",
+    "Program",
+    "Term",
+    "read_input",
+    "state_names",
+    "value_of",
+]
 
 #: Inputs that stand for a joint's state, joint i from 1: `q1`, cosine `c1`, sine `s1`, rates.
 STATE = ("q", "c", "s", "qd", "qdd")
@@ -53,6 +63,22 @@ class Assignment:
 
     name: str
     terms: tuple[Term, ...]
+
+
+def value_of(line: Assignment, values: Mapping[str, Any]) -> Any:
+    """Σ k · (product of the named values), by whatever their + − × do.
+
+    Signs are free: a k of ±1 multiplies nothing, and a negative term is taken away.
+    """
+    total: Any = None
+    for term in line.terms:
+        size, factors = abs(term.k), [values[name] for name in term.factors]
+        product = reduce(mul, factors if size == 1.0 and factors else [size, *factors])
+        if total is None:
+            total = -product if term.k < 0.0 else product
+        else:
+            total = total - product if term.k < 0.0 else total + product
+    return 0.0 if total is None else total
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,8 +170,8 @@ class Program:
             read = {"c": np.cos, "s": np.sin}.get(kind)
             values[name] = read(arrays["q"][..., joint]) if read else arrays[kind][..., joint]
         for line in (*self.setup, *self.assignments):
-            values[line.name] = _value(line, values)
-        entries = [np.broadcast_to(_value(line, values), lead) for line in self.outputs]
+            values[line.name] = value_of(line, values)
+        entries = [np.broadcast_to(value_of(line, values), lead) for line in self.outputs]
         return np.stack(entries, axis=-1).reshape((*lead, *self.shape))
 
     def _checked(self, name: str, given: ArrayLike | None) -> NDArray[Any]:
@@ -153,10 +179,3 @@ class Program:
         if array.ndim == 0 or array.shape[-1] != self.n or array.dtype.kind not in "iufc":
             raise StateError(f"{name} must be an array of numbers of shape (..., {self.n})")
         return array
-
-
-def _value(line: Assignment, values: Mapping[str, Any]) -> Any:
-    total: Any = 0.0
-    for term in line.terms:
-        total = total + prod((values[name] for name in term.factors), start=term.k)
-    return total

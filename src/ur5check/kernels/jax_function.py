@@ -9,11 +9,10 @@ slope = jax.jacfwd(tau)(q[0], qd[0], qdd[0])
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import prod
 from typing import Any
 
 from ..arm.serial_arm import SerialArm
-from ..closed_form.program import Assignment, Program, read_input
+from ..closed_form.program import Program, read_input, value_of
 from ..closed_form.trace import trace, trace_difference
 from ..errors import UsageError
 
@@ -53,15 +52,8 @@ def _function(program: Program) -> JaxFunction:
             kind, joint = read_input(name)
             values[name] = arrays[kind][joint]
         for line in program.assignments:
-            values[line.name] = _value(line, values)
-        entries = [_value(line, values) for line in program.outputs]
+            values[line.name] = value_of(line, values)
+        entries = [value_of(line, values) for line in program.outputs]
         return jnp.stack([jnp.asarray(entry, dtype=jnp.float64) for entry in entries])
 
     return evaluate
-
-
-def _value(line: Assignment, values: dict[str, Any]) -> Any:
-    total: Any = 0.0
-    for term in line.terms:
-        total = total + prod((values[name] for name in term.factors), start=term.k)
-    return total

@@ -10,16 +10,14 @@ The scratch array (36 rows for a UR5's torques, 18 kB) stays in the processor's 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import reduce
-from operator import mul
 from typing import Any
 
 from llvmlite import ir
 
 from ..closed_form.infix import description
-from ..closed_form.program import STATE, Assignment, Program, read_input
+from ..closed_form.program import STATE, Program, read_input, value_of
 from .llvm_values import LANES, VECTOR, Values, constant
 from .machine_code import ARRAYS, BLOCK
 from .sincos import FAR, turned
@@ -96,9 +94,9 @@ class _Writer:
                 name: self.load(*read_input(name), k) for name in self.program.inputs
             }
             for line in self.program.assignments:
-                values[line.name] = _value(line, values)
+                values[line.name] = value_of(line, values)
             for place, line in enumerate(self.program.outputs):
-                self.store(_value(line, values), "out", place, k)
+                self.store(value_of(line, values), "out", place, k)
 
     def scatter(self, start: Any, here: Any) -> None:
         """The results' rows to where the caller wants them, along what lies close together."""
@@ -165,17 +163,3 @@ class _Writer:
 
 def _integer(value: Any) -> Any:
     return ir.Constant(_INT, value) if isinstance(value, int) else value
-
-
-def _value(line: Assignment, values: Mapping[str, Values | float]) -> Values | float:
-    """Σ k · (product of the named values); a k of ±1 is a sign, and no terms are a zero."""
-    total: Any = None
-    for term in line.terms:
-        size = abs(term.k)
-        factors: list[Any] = [values[name] for name in term.factors]
-        product = reduce(mul, factors if size == 1.0 and factors else [size, *factors])
-        if total is None:
-            total = -product if term.k < 0.0 else product
-        else:
-            total = total - product if term.k < 0.0 else total + product
-    return 0.0 if total is None else total
