@@ -24,7 +24,7 @@ def test_start_up_is_held_against_bare_python() -> None:
 
 
 def test_a_first_call_finds_nothing_and_a_second_finds_code(monkeypatch) -> None:
-    monkeypatch.setattr("ur5check.benchmarking.first_use._QUANTITIES", {"torques": "rnea"})
+    monkeypatch.setattr("ur5check.benchmarking.first_use.FIRST_CALLS", {"torques": "rnea"})
     torques, longer = first_use(chain(1, 0), (2,), 0, 1).comparisons
     assert [timing.name for timing in torques.timings] == [IMPORT, COLD, WARM]
     assert longer.subject == "torques, 2 joints"
