@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
-
 from ..arm.serial_arm import SerialArm
 from ..arm.transforms import Array
-from ..dynamics.newton_euler import rnea
-from ..kernels.kernel import compile_difference, default_path
+from ..kernels.kernel import compile_difference
 
 __all__ = ["TorqueDifference", "torque_difference"]
 
@@ -29,16 +26,10 @@ class TorqueDifference:
 
 
 def torque_difference(a: SerialArm, b: SerialArm) -> TorqueDifference:
-    """By a kernel of the difference where llvmlite is installed, else by the recursion on NumPy."""
-    if default_path() == "llvm":
-        kernel = compile_difference(a, b, path="llvm")
+    """By a kernel of the difference: machine code where llvmlite is installed, else NumPy."""
+    kernel = compile_difference(a, b)
 
-        def compiled(q: Array, qd: Array, qdd: Array) -> Array:
-            return kernel(q.T, qd.T, qdd.T, layout="joints").T
+    def of(q: Array, qd: Array, qdd: Array) -> Array:
+        return kernel(q.T, qd.T, qdd.T, layout="joints").T
 
-        return TorqueDifference("llvm", compiled)
-
-    def difference(q: Array, qd: Array, qdd: Array) -> Array:
-        return np.asarray(rnea(a, q, qd, qdd) - rnea(b, q, qd, qdd))
-
-    return TorqueDifference("numpy", difference)
+    return TorqueDifference(kernel.path, of)
