@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import prod
 from typing import Literal
 
 import numpy as np
@@ -64,7 +65,7 @@ def empty_result(
 
     Raises StateError for an `out` that is not such an array.
     """
-    entries = int(np.prod(shape))
+    entries = prod(shape)
     wanted = (count, *shape) if layout == "states" else (*shape, count)
     result = np.empty(wanted) if out is None else out
     if not isinstance(result, np.ndarray):

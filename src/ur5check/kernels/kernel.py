@@ -195,8 +195,7 @@ def _shared(
 
     def share(part: slice) -> None:
         qd, qdd = (views[name][part] if name in views else None for name in ("qd", "qdd"))
-        with np.errstate(over="ignore", invalid="ignore"):  # machine code does not warn either
-            run(views["q"][part], qd, qdd, flat[part])
+        run(views["q"][part], qd, qdd, flat[part])
 
     if threads == 1 or count < 2 * threads:
         share(slice(None))

@@ -32,6 +32,7 @@ def numpy_source(program: Program) -> str:
         "import numpy as np",
         "",
         "",
+        '@np.errstate(over="ignore", invalid="ignore")  # machine code does not warn either',
         "def run(q, qd, qdd, out):",
         *(f"    {text}" for text in body),
     ]
