@@ -13,6 +13,7 @@ from references import RECURSION, arguments, distance, referee, states
 import ur5check
 from examples import random_arm
 from ur5check import strategies
+from ur5check.arm.inertia import Inertia
 from ur5check.closed_form.trace import trace, trace_difference
 from ur5check.errors import StateError, UsageError
 
@@ -126,6 +127,52 @@ def test_the_difference_of_two_arms_shares_their_work():
     assert program.operations.total < 20
     with pytest.raises(UsageError, match="has 7"):
         trace_difference(a, arm_of("random"))
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("name", ["appendix", "random"])
+def test_arms_that_move_alike_need_one_torque(name, way):
+    """Torque is linear in the inertias: π_a − π_b, masses of any sign, says it all."""
+    arm = arm_of(name)
+    other = arm.with_inertias([link.inertia for link in reversed(arm.links)])
+    a, b = (arm, other)[::way]
+    program = trace_difference(a, b)
+    at = states(a, 20)
+    tau = [ur5check.rnea(arm, at.q, at.qd, at.qdd) for arm in (a, b)]
+    found = program.evaluate(at.q, at.qd, at.qdd)
+    np.testing.assert_allclose(found, tau[0] - tau[1], atol=1e-12 * np.abs(tau).max())
+    # Where the last digit of one length differs, they do not move alike, and two are needed.
+    moved = replace(b.links[1].far_end, p=np.nextafter(b.links[1].far_end.p, np.inf))
+    links = [replace(link, far_end=moved) if i == 1 else link for i, link in enumerate(b.links)]
+    apart = trace_difference(a, replace(b, links=tuple(links)))
+    assert apart.operations.total > program.operations.total
+    np.testing.assert_allclose(apart.evaluate(at.q, at.qd, at.qdd), found, atol=1e-11)
+
+
+@pytest.mark.parametrize("dust", [5e-324, 1e-310, 1e-160, 1e-90])
+def test_numbers_that_are_all_but_zero_spoil_no_torque(dust):
+    """Their products run out of digits, and what is left must not become a factor."""
+
+    def dusty(x):
+        return np.where(np.abs(x) < 1e-12, dust, x)
+
+    arm = arm_of("paper")
+    bodies = [link.inertia for link in arm.links]
+    links = [
+        replace(
+            link,
+            inertia=Inertia(body.mass, dusty(body.com), dusty(body.tensor)),
+            far_end=replace(link.far_end, p=dusty(link.far_end.p)),
+        )
+        for link, body in zip(arm.links, bodies, strict=True)
+    ]
+    joints = [replace(joint, axis=dusty(joint.axis)) for joint in arm.joints]
+    arm = replace(arm, joints=tuple(joints), links=tuple(links))
+    at = states(arm, 20)
+    tau = ur5check.rnea(arm, at.q, at.qd, at.qdd)
+    for regroup in (False, True):
+        found = trace(arm, "tau", regroup=regroup, tries=1).evaluate(at.q, at.qd, at.qdd)
+        np.testing.assert_allclose(found, tau, atol=TOLERANCE)
 
 
 def test_what_cannot_be_asked_is_said():

@@ -20,6 +20,11 @@ from .program import Operations
 
 __all__ = ["Graph", "Value"]
 
+#: A factor below this is zero.  No number of a robot is as small, in any unit; products of such
+#: factors would run out of digits below 1e-308, and `factoring`, which divides them by each other,
+#: would make torques of what is left.
+_NOTHING = 1e-60
+
 
 @dataclass(slots=True)
 class Graph:
@@ -94,22 +99,21 @@ class Value:
 
     def __mul__(self, other: Scalar) -> Scalar:
         if not isinstance(other, Value):
-            factor = self.factor * float(other)
-            return Value(self.graph, factor, self.node) if factor != 0.0 else 0.0
+            return _value(self.graph, self.factor * float(other), self.node)
         factor = self.factor * other.factor
         if ONE in (self.node, other.node):
-            return Value(self.graph, factor, max(self.node, other.node))
+            return _value(self.graph, factor, max(self.node, other.node))
         a, b = sorted((self.node, other.node))
-        return Value(self.graph, factor, self.graph.place(Product(a, b)))
+        return _value(self.graph, factor, self.graph.place(Product(a, b)))
 
     __rmul__ = __mul__
 
     def __add__(self, other: Scalar) -> Scalar:
         if not isinstance(other, Value):
-            return self if float(other) == 0.0 else self + self.graph.constant(other)
+            number = float(other)
+            return self if abs(number) < _NOTHING else self + self.graph.constant(number)
         if self.node == other.node:
-            factor = self.factor + other.factor
-            return Value(self.graph, factor, self.node) if factor != 0.0 else 0.0
+            return _value(self.graph, self.factor + other.factor, self.node)
         graph = self.graph
         if graph.simplify:
             term = simplified(graph, (self.node, self.factor), (other.node, other.factor))
@@ -127,3 +131,7 @@ class Value:
 
     def __rsub__(self, other: Scalar) -> Scalar:
         return (-self) + other
+
+
+def _value(graph: Graph, factor: float, node: Node) -> Scalar:
+    return Value(graph, factor, node) if abs(factor) >= _NOTHING else 0.0

@@ -48,21 +48,31 @@ _WISHES = (
 
 
 def regroupings(
-    arm: SerialArm, cost: Callable[[Chain], int], *, tries: int, seed: int = 0
+    arm: SerialArm,
+    cost: Callable[[Chain], int],
+    *,
+    tries: int,
+    less: SerialArm | None = None,
+    seed: int = 0,
 ) -> list[Chain]:
     """Chains with the same torques as the arm, to rounding; the arm's own first, the cheapest last.
 
     cost : some measure of what is to be traced from a chain
     tries : how many orders of wishes to look at, beyond the first
+    less : an arm of the same geometry; the chains then have the difference of the two's torques
     """
-    found = [chain_of(arm)]
+    if less is None:
+        found = [chain_of(arm)]
+    else:
+        arm = arm.with_armature(arm.armature - less.armature)
+        found = [moments_chain(arm, Unseen(arm, less).pi)]
     fewest = cost(found[0])
     arm = slid(arm)
-    unseen = Unseen(arm)
+    unseen = Unseen(arm, less and slid(less))
     directions = unseen.null_space.shape[1]
     rng = random.Random(seed)  # noqa: S311 - a search, no secret
     best = [Wish(link, *names) for link in reversed(range(arm.n)) for names in _WISHES]
-    loud = _LOUDER * unseen.loudness(arm.parameters())
+    loud = _LOUDER * unseen.loudness(unseen.pi)
     for attempt in range(1 + tries if directions else 0):
         wishes = list(best)
         if attempt > 0:

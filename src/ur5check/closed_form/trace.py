@@ -14,6 +14,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
+import numpy as np
+
 from ..arm.serial_arm import SerialArm
 from ..dynamics.chain import Chain, chain_of
 from ..dynamics.vectors import ZERO, Scalar, Vector
@@ -99,19 +101,26 @@ def as_written(
 
 
 def trace_difference(a: SerialArm, b: SerialArm) -> Program:
-    """τ_a − τ_b at the same q, q̇, q̈ as one program; what both need is worked out once.
+    """τ_a − τ_b at the same q, q̇, q̈ as one program.
 
-    The arms must be held in the same joint coordinates, as `comparison.pair` makes them.
+    The arms must be held in the same joint coordinates, as `comparison.pair` makes them.  What both
+    need is worked out once.  Arms that differ in nothing but their inertias need no two torques at
+    all: torque is linear in π, so that the difference is the torque of π_a − π_b.
 
     Raises UsageError for arms of different length.
     """
     if a.n != b.n:
         raise UsageError(f"arm {a.name!r} has {a.n} joints and {b.name!r} has {b.n}")
     graph = Graph()
-    tau_a, tau_b = (_entries(graph, chain_of(arm), Vector.of(arm.gravity), "tau") for arm in (a, b))
+    if _move_alike(a, b):
+        gravity = Vector.of(a.gravity)
+        entries = _entries(graph, _cheapest(a, gravity, "tau", less=b), gravity, "tau")
+    else:
+        both = (_entries(graph, chain_of(arm), Vector.of(arm.gravity), "tau") for arm in (a, b))
+        entries = [x - y for x, y in zip(*both, strict=True)]
     return assemble(
         graph,
-        [x - y for x, y in zip(tau_a, tau_b, strict=True)],
+        entries,
         arm=f"{a.name} − {b.name}",
         n=a.n,
         quantity="difference",
@@ -133,7 +142,29 @@ def _entries(graph: Graph, chain: Chain, gravity: Vector, quantity: Quantity) ->
     return QUANTITIES[quantity].entries(asked)
 
 
-def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int | None) -> Chain:
+def _move_alike(a: SerialArm, b: SerialArm) -> bool:
+    """Whether two arms have one geometry and one gravity, to the bit."""
+    return (
+        np.array_equal(a.gravity, b.gravity)
+        and np.array_equal(a.base.matrix(), b.base.matrix())
+        and all(
+            i.kind == j.kind and np.array_equal(i.axis, j.axis)
+            for i, j in zip(a.joints, b.joints, strict=True)
+        )
+        and all(
+            np.array_equal(i.far_end.matrix(), j.far_end.matrix())
+            for i, j in zip(a.links, b.links, strict=True)
+        )
+    )
+
+
+def _cheapest(
+    arm: SerialArm,
+    gravity: Vector,
+    quantity: Quantity,
+    tries: int | None = None,
+    less: SerialArm | None = None,
+) -> Chain:
     """The chain that leaves fewest operations.
 
     Factoring takes thirty times as long as tracing, so the search goes by the operations before it,
@@ -148,7 +179,7 @@ def _cheapest(arm: SerialArm, gravity: Vector, quantity: Quantity, tries: int | 
 
     if tries is None:
         tries = _TRIES if arm.n <= _SHORT else 0
-    found = regroupings(arm, lambda chain: _total(lines(chain, guide)[0]), tries=tries)
+    found = regroupings(arm, lambda chain: _total(lines(chain, guide)[0]), tries=tries, less=less)
     finalists = [*found[:2], *found[2:][-_FINALISTS:]]
     if len(finalists) == 1:
         return finalists[0]

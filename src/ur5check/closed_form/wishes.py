@@ -57,12 +57,21 @@ class Wish:
 class Unseen:
     """What may be chosen freely in an arm's inertial parameters.
 
-    arm : whose parameters π, shape (10 n,), are to be rewritten
+    arm : whose parameters π are to be rewritten
+    less : an arm of the same geometry, whose parameters are taken away: π then makes the difference
+        of the two arms' torques
     seed : of the random states at which Y is asked; the answer does not depend on it
     """
 
     arm: SerialArm
+    less: SerialArm | None = None
     seed: int = 0
+
+    @cached_property
+    def pi(self) -> Array:
+        """π, shape (10 n,)."""
+        pi = self.arm.parameters()
+        return pi if self.less is None else np.asarray(pi - self.less.parameters())
 
     @cached_property
     def triangle(self) -> Array:
@@ -83,9 +92,9 @@ class Unseen:
         return float(np.linalg.norm(self.triangle, axis=0) @ np.abs(pi))
 
     def change(self, pi: Array) -> float:
-        """How far torques with parameters π' are from the arm's own, as a part of its loudness."""
-        own = self.arm.parameters()
-        return float(np.linalg.norm(self.triangle @ (pi - own))) / (self.loudness(own) or 1.0)
+        """How far torques with parameters π' are from those of π, as a part of its loudness."""
+        change = float(np.linalg.norm(self.triangle @ (pi - self.pi)))
+        return change / (self.loudness(self.pi) or 1.0)
 
     def granted(self, wishes: Sequence[Wish]) -> list[Wish]:
         """The first wishes that can all be granted, at most one a direction.
@@ -118,9 +127,8 @@ class Unseen:
 
     def parameters(self, wishes: Sequence[Wish]) -> Array:
         """π', shape (10 n,): the same torques, and the wishes that can be granted."""
-        pi = self.arm.parameters()
-        E = _spelled_out(self.granted(wishes), len(pi))
-        torque, columns = self.triangle @ pi, self.triangle @ E
+        E = _spelled_out(self.granted(wishes), len(self.pi))
+        torque, columns = self.triangle @ self.pi, self.triangle @ E
         z = np.linalg.lstsq(columns, torque, rcond=None)[0]
         z[np.abs(z) * np.linalg.norm(columns, axis=0) < _DUST * np.linalg.norm(torque)] = 0.0
         return np.asarray(E @ z)
