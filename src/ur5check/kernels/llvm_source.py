@@ -18,7 +18,7 @@ from llvmlite import ir
 
 from ..closed_form.infix import description
 from ..closed_form.program import STATE, Program, read_input, value_of
-from .llvm_values import LANES, VECTOR, Values, constant
+from .llvm_values import LANES, VECTOR, Values, constant, transposed
 from .machine_code import ARRAYS, BLOCK
 from .sincos import FAR, turned
 
@@ -100,18 +100,41 @@ class _Writer:
 
     def scatter(self, start: Any, here: Any) -> None:
         """The results' rows to where the caller wants them, along what lies close together."""
-        entries, (_, state_step, entry_step) = len(self.program.outputs), self.arrays["out"]
+        build, (_, state_step, entry_step) = self.build, self.arrays["out"]
+        done = self.scatter_eights(start, here)
+        left = build.sub(_integer(len(self.program.outputs)), done)
 
-        def move(k: Any, place: Any) -> None:
-            value = self.build.load(self.place("out", place, k), typ=_DOUBLE)
-            self.build.store(value, self.entry("out", self.build.add(start, k), place), align=1)
+        def move(k: Any, index: Any) -> None:
+            place = build.add(done, index)
+            value = build.load(self.place("out", place, k), typ=_DOUBLE)
+            build.store(value, self.entry("out", build.add(start, k), place), align=1)
 
-        states_apart = self.build.icmp_signed(">=", state_step, entry_step)
-        with self.build.if_else(states_apart) as (state_by_state, entry_by_entry):
-            with state_by_state, self.loop(here) as k, self.loop(entries) as place:
-                move(k, place)
-            with entry_by_entry, self.loop(entries) as place, self.loop(here) as k:
-                move(k, place)
+        states_apart = build.icmp_signed(">=", state_step, entry_step)
+        with build.if_else(states_apart) as (state_by_state, entry_by_entry):
+            with state_by_state, self.loop(here) as k, self.loop(left) as index:
+                move(k, index)
+            with entry_by_entry, self.loop(left) as index, self.loop(here) as k:
+                move(k, index)
+
+    def scatter_eights(self, start: Any, here: Any) -> Any:
+        """Of a whole block, where a state's entries lie together, eight entries at once; how many.
+
+        Written one by one, a matrix's entries would take as long as working them out.
+        """
+        build, (_, _, entry_step) = self.build, self.arrays["out"]
+        whole = build.icmp_signed("==", here, _integer(BLOCK))
+        together = build.and_(whole, build.icmp_signed("==", entry_step, _integer(8)))
+        eights = len(self.program.outputs) // LANES * LANES
+        with (
+            build.if_then(together),
+            self.loop(BLOCK, LANES) as k,
+            self.loop(eights, LANES) as first,
+        ):
+            rows = [self.load("out", build.add(first, _integer(i)), k) for i in range(LANES)]
+            for i, state in enumerate(transposed(rows)):
+                k_i = build.add(start, build.add(k, _integer(i)))
+                build.store(state.register, self.entry("out", k_i, first), align=1)
+        return build.select(together, _integer(eights), _integer(0))
 
     @contextmanager
     def loop(self, stop: Any, step: int = 1) -> Iterator[Any]:
@@ -144,7 +167,7 @@ class _Writer:
         place = self.build.add(self.build.mul(row, _integer(BLOCK)), k)
         return self.build.gep(self.scratch, [place], inbounds=True, source_etype=_DOUBLE)
 
-    def load(self, name: str, index: int, k: Any) -> Values:
+    def load(self, name: str, index: Any, k: Any) -> Values:
         """Eight states' values, from state k on."""
         register = self.build.load(self.place(name, index, k), typ=VECTOR, align=8 * LANES)
         return Values(self.build, register)

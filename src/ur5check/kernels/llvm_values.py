@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from llvmlite import ir
 
-__all__ = ["LANES", "VECTOR", "Values", "constant"]
+__all__ = ["LANES", "VECTOR", "Values", "constant", "transposed"]
 
 #: One AVX-512 register; LLVM makes two or four of it where registers are shorter.
 LANES = 8
 
 VECTOR = ir.VectorType(ir.DoubleType(), LANES)
+_ALL = range(LANES)
 
 #: A product and a sum may become one fused multiply-add; nothing else may be moved or dropped,
 #: since the reduction of angles needs every rounding where it stands (`sincos`).
@@ -58,6 +59,24 @@ class Values:
 def constant(number: float) -> Any:
     """A number, eight times."""
     return ir.Constant(VECTOR, [float(number)] * LANES)
+
+
+def transposed(rows: Sequence[Values]) -> list[Values]:
+    """Eight rows of eight, mirrored: neighbours change places, then pairs, then fours."""
+    rows = list(rows)
+    for step in (1, 2, 4):
+        for i in (i for i in range(LANES) if not i & step):
+            pair = rows[i], rows[i + step]
+            rows[i] = _chosen(*pair, [j if not j & step else j - step + LANES for j in _ALL])
+            rows[i + step] = _chosen(*pair, [j + LANES if j & step else j + step for j in _ALL])
+    return rows
+
+
+def _chosen(first: Values, second: Values, places: Sequence[int]) -> Values:
+    """Values of two registers: places 0 … 7 are the first's, 8 … 15 the second's."""
+    mask = ir.Constant(ir.VectorType(ir.IntType(32), LANES), list(places))
+    register = first.builder.shuffle_vector(first.register, second.register, mask)
+    return Values(first.builder, register)
 
 
 def _register(value: Values | float) -> Any:
