@@ -36,7 +36,6 @@ _RUN = ctypes.CFUNCTYPE(
 
 def processor() -> str:
     """Whom machine code is for, and who made it: it is of no use to others."""
-    _machine()
     features = llvm.get_host_cpu_features().flatten()
     return f"llvmlite {llvmlite.__version__} {llvm.get_host_cpu_name()} {features}"
 
