@@ -67,23 +67,24 @@ class _Writer:
             self.build.store(value, self.place(name, joint, k))
 
     def turn(self) -> None:
-        """Rows of cosines and sines: by libm where an angle of the block is too large for ours."""
+        """Rows of cosines and sines: ours, and libm's of each angle that is too large for ours.
+
+        Angle by angle, so that no state's digits depend on which others are in its block.
+        """
         angles = self.program.n * BLOCK  # the rows of all joints, one after the other
         self.build.store(constant(0.0), self.largest)
         with self.loop(angles, LANES) as k:
+            cosine, sine = turned(self.load("q", 0, k))
+            self.store(cosine, "c", 0, k)
+            self.store(sine, "s", 0, k)
             size = self.call("llvm.fabs.v8f64", self.load("q", 0, k).register)
             largest = self.build.load(self.largest, typ=VECTOR)
             self.build.store(self.call("llvm.maxnum.v8f64", largest, size), self.largest)
         largest = self.build.load(self.largest, typ=VECTOR)
         largest = self.call("llvm.vector.reduce.fmax.v8f64", largest, gives=_DOUBLE)
-        near = self.build.fcmp_ordered("<=", largest, ir.Constant(_DOUBLE, FAR))
-        with self.build.if_else(near) as (if_near, if_far):
-            with if_near, self.loop(angles, LANES) as k:
-                cosine, sine = turned(self.load("q", 0, k))
-                self.store(cosine, "c", 0, k)
-                self.store(sine, "s", 0, k)
-            with if_far, self.loop(angles) as k:
-                angle = self.build.load(self.place("q", 0, k), typ=_DOUBLE)
+        with self.build.if_then(self.too_large(largest)), self.loop(angles) as k:
+            angle = self.build.load(self.place("q", 0, k), typ=_DOUBLE)
+            with self.build.if_then(self.too_large(self.call("llvm.fabs.f64", angle))):
                 for row, function in (("c", "llvm.cos.f64"), ("s", "llvm.sin.f64")):
                     self.build.store(self.call(function, angle), self.place(row, 0, k))
 
@@ -175,6 +176,10 @@ class _Writer:
     def store(self, value: Values | float, name: str, index: int, k: Any) -> None:
         register = value.register if isinstance(value, Values) else constant(value)
         self.build.store(register, self.place(name, index, k), align=8 * LANES)
+
+    def too_large(self, size: Any) -> Any:
+        """Whether ours are too rough for an angle of this size; no number is not."""
+        return self.build.fcmp_ordered(">", size, ir.Constant(_DOUBLE, FAR))
 
     def call(self, name: str, *arguments: Any, gives: ir.Type | None = None) -> Any:
         """One of LLVM's own functions; it gives what it takes unless told."""
