@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -10,6 +12,7 @@ from examples import random_arm
 from ur5check.arm.states import random_states
 from ur5check.engines.pinocchio import PinocchioEngine
 from ur5check.errors import StateError, UsageError
+from ur5check.kernels import source
 from ur5check.kernels.kernel import Kernel, compile_difference, default_path
 
 QUANTITIES = {
@@ -182,6 +185,17 @@ def test_options_without_meaning_are_refused(appendix):
         ur5.compile(appendix, path="fortran")
     with pytest.raises(UsageError, match="layout"):
         ur5.compile(appendix).gravity_torque(np.zeros((4, 6)), layout="rows")
+
+
+def test_what_many_threads_ask_for_at_once_is_made_once(tmp_path, monkeypatch):
+    monkeypatch.setenv("UR5CHECK_CACHE", str(tmp_path))
+    made, really = [], source.made
+    monkeypatch.setattr(source, "made", lambda *given: made.append(1) or really(*given))
+    arm, q = random_arm(2, seed=11), random_states(2, 5, seed=1).q
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda _: ur5.compile(arm).gravity_torque(q), range(4)))
+    assert made == [1]
+    assert all(np.array_equal(one, found[0]) for one in found)
 
 
 def test_llvm_is_used_by_itself(appendix):

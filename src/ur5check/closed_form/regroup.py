@@ -68,7 +68,7 @@ def regroupings(
         found = [moments_chain(arm, Unseen(arm, less).pi)]
     fewest = cost(found[0])
     arm = slid(arm)
-    unseen = Unseen(arm, less and slid(less))
+    unseen = Unseen(arm, None if less is None else slid(less))
     directions = unseen.null_space.shape[1]
     rng = random.Random(seed)  # noqa: S311 - a search, no secret
     best = [Wish(link, *names) for link in reversed(range(arm.n)) for names in _WISHES]

@@ -171,7 +171,7 @@ def _gap(quantity: Quantity, own: Body, truth: Body, floor: float = 0.0) -> floa
 def _gaps(quantity: Quantity, values: Sequence[Any], truth: Body, floor: float = 0.0) -> Array:
     """How far each value is from the truth, relative to the larger; a twist by its angle [rad].
 
-    All at once, shape (len(values),): pairs of mistakes try some ten thousand values.
+    All at once, shape (len(values),): pairs of mistakes try tens of thousands of values.
     """
     if quantity == "body":
         parts = ([value_of(body, part) for body in values] for part in _INERTIAL)

@@ -12,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.util import find_spec
+from threading import Lock
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -31,6 +32,9 @@ Path = Literal["llvm", "numpy"]
 
 #: (q, qd, qdd, out) of shape (N, …), None for what a quantity does not depend on.
 _Run = Callable[[Array, Array | None, Array | None, Array], None]
+
+#: A thread waits for what another is making, and then finds it on disk.
+_ONE_AT_A_TIME = Lock()
 
 
 def default_path() -> Path:
@@ -167,16 +171,17 @@ def _code(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> _Run:
 
         return made(arms, quantity, path)
 
-    if path == "numpy":
-        key = fingerprint(arms, quantity, path)
-        names: dict[str, Any] = {}
-        exec(kept(f"{quantity}_{key}.py", make), names)  # noqa: S102 - our own text
-        python: _Run = names["run"]
-        return python
-    from .machine_code import MachineCode, processor
+    with _ONE_AT_A_TIME:
+        if path == "numpy":
+            key = fingerprint(arms, quantity, path)
+            names: dict[str, Any] = {}
+            exec(kept(f"{quantity}_{key}.py", make), names)  # noqa: S102 - our own text
+            python: _Run = names["run"]
+            return python
+        from .machine_code import MachineCode, processor
 
-    key = fingerprint(arms, quantity, path, processor())
-    return MachineCode(kept(f"{quantity}_{key}.o", make))
+        key = fingerprint(arms, quantity, path, processor())
+        return MachineCode(kept(f"{quantity}_{key}.o", make))
 
 
 def _shared(
