@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
-from pathlib import Path
 
 import jsonschema
 import pytest
 
+from repository import REPOSITORY
 from ur5check.benchmarking.benchmark import QUESTIONS
 from ur5check.benchmarking.result import Benchmark, Profile
 from ur5check.cli.main import main
@@ -18,7 +18,7 @@ from ur5check.reports.json_values import json_text
 from ur5check.reports.markdown import render_markdown
 from ur5check.reports.terminal import render_text
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
 PROFILE = Profile("ur5check validate", 2.0, (("the referees", 1.25), ("imports", 0.75)))
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import importlib
 import json
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from repository import REPOSITORY
+
+ROOT = REPOSITORY
 
 
 @pytest.fixture(scope="module")

@@ -6,13 +6,13 @@ import contextlib
 import io
 import re
 import shlex
-from pathlib import Path
 
 import pytest
 
+from repository import REPOSITORY
 from ur5check.cli.main import main
 
-PAGE = (Path(__file__).parents[2] / "docs" / "closed-form.md").read_text(encoding="utf-8")
+PAGE = (REPOSITORY / "docs" / "closed-form.md").read_text(encoding="utf-8")
 COMMANDS = re.search(r"^```sh\n(.*?)^```", PAGE, re.M | re.S)[1].splitlines()
 BLOCK = re.compile(r"^```python\n(.*?)^```\n+(?:```text\n(.*?)^```)?", re.M | re.S)
 

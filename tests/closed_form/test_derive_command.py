@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from pathlib import Path
 
 import jsonschema
 import numpy as np
@@ -12,9 +11,10 @@ import pytest
 from references import states
 
 import ur5check
+from repository import REPOSITORY
 from ur5check.cli.main import main
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
 G = ("derive", "paper", "--quantity", "g")
 

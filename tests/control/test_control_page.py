@@ -5,9 +5,10 @@ from __future__ import annotations
 import contextlib
 import io
 import re
-from pathlib import Path
 
-PAGE = (Path(__file__).parents[2] / "docs" / "control.md").read_text(encoding="utf-8")
+from repository import REPOSITORY
+
+PAGE = (REPOSITORY / "docs" / "control.md").read_text(encoding="utf-8")
 
 
 def test_code_prints_what_the_page_says(tmp_path, monkeypatch):

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import runpy
-from pathlib import Path
 
+from repository import REPOSITORY
 from ur5check.checks.laws import LAWS
 from ur5check.checks.numbers import BODIES, PAIRS
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 
 
 def test_page_is_the_registrys() -> None:

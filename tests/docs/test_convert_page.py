@@ -5,19 +5,19 @@ from __future__ import annotations
 import re
 import shlex
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
 import ur5check
 from examples import random_arm
+from repository import REPOSITORY
 from ur5check.arm import Limits
 from ur5check.cli.main import main
 from ur5check.export.dh_toml import dh_toml_of
 from ur5check.export.mjcf import mjcf_of
 from ur5check.export.urdf import urdf_of
 
-PAGE = (Path(__file__).parents[2] / "docs" / "convert.md").read_text(encoding="utf-8")
+PAGE = (REPOSITORY / "docs" / "convert.md").read_text(encoding="utf-8")
 WRITERS = ((urdf_of, ".urdf"), (mjcf_of, ".xml"), (dh_toml_of, ".toml"))
 
 

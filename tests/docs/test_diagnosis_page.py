@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import re
 import runpy
-from pathlib import Path
 from typing import Any, get_args
 
 import pytest
 
+from repository import REPOSITORY
 from ur5check.diagnosis import whole_arm
 from ur5check.diagnosis.catalogue import CATALOGUE
 from ur5check.sources.catalog import CATALOG
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 
 
 @pytest.fixture(scope="module")

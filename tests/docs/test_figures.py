@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import runpy
-from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-FIGURES = Path(__file__).parents[2] / "docs" / "figures"
+from repository import REPOSITORY
+
+FIGURES = REPOSITORY / "docs" / "figures"
 
 
 def test_case_2_says_what_is_measured() -> None:

@@ -6,9 +6,10 @@ import re
 import shlex
 from pathlib import Path
 
+from repository import REPOSITORY
 from ur5check.cli.main import main
 
-ROOT = Path(__file__).parents[2]
+ROOT = REPOSITORY
 PAGE = (ROOT / "docs" / "gazebo.md").read_text("utf-8")
 COMMANDS = re.findall(r"^```sh\n(ur5check .*)\n```$", PAGE, re.M)
 (TREE,) = re.findall(r"^```text\n(.*?)^```$", PAGE, re.M | re.S)

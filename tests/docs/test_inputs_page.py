@@ -14,9 +14,10 @@ from pathlib import Path
 import pytest
 
 import ur5check
+from repository import REPOSITORY
 from ur5check.errors import Ur5checkError
 
-PAGE = Path(__file__).parents[2] / "docs" / "inputs.md"
+PAGE = REPOSITORY / "docs" / "inputs.md"
 NOTHING = "nothing"
 
 

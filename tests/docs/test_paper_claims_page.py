@@ -12,11 +12,12 @@ from typing import Any
 
 import pytest
 
+from repository import REPOSITORY
 from ur5check.cli.main import main
 from ur5check.paper import reproduction as room
 from ur5check.paper.reproduction import Reproduction, reproduce
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 PAGE = (DOCS / "paper-claims.md").read_text(encoding="utf-8")
 COMMANDS = [
     line.partition("#")[0].strip()

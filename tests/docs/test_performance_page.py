@@ -9,12 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from repository import REPOSITORY
 from ur5check.benchmarking.commands import COMMANDS
 from ur5check.benchmarking.first_use import COLD, FIRST_CALLS, IMPORT, WARM
 from ur5check.benchmarking.torques import LLVM, LOOP, NUMPY, PARALLEL, with_threads
 from ur5check.cli.main import main
 
-PAGE = (Path(__file__).parents[2] / "docs" / "performance.md").read_text(encoding="utf-8")
+PAGE = (REPOSITORY / "docs" / "performance.md").read_text(encoding="utf-8")
 
 
 def table(title: str) -> dict[str, list[str]]:

@@ -11,9 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from repository import REPOSITORY
 from ur5check.cli.main import main
 
-ROOT = Path(__file__).parents[2]
+ROOT = REPOSITORY
 README = (ROOT / "README.md").read_text("utf-8")
 COMMANDS = [
     line.partition("#")[0].strip()

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from pathlib import Path
 
+from repository import REPOSITORY
 from ur5check.kernels.kernel import Kernel
 from ur5check.kernels.machine_code import BLOCK as LLVM_BLOCK
 from ur5check.kernels.numpy_source import BLOCK as NUMPY_BLOCK
 
-PAGE = (Path(__file__).parents[2] / "docs" / "kernels.md").read_text(encoding="utf-8")
+PAGE = (REPOSITORY / "docs" / "kernels.md").read_text(encoding="utf-8")
 
 
 def blocks(language: str) -> str:

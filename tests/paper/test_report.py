@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import jsonschema
@@ -12,6 +11,7 @@ import numpy as np
 import pytest
 
 from paper.curves import replaced
+from repository import REPOSITORY
 from ur5check.paper.models import PINOCCHIO
 from ur5check.paper.reproduction import Reproduction
 from ur5check.reports.json_values import json_text
@@ -20,9 +20,7 @@ from ur5check.reports.paper_document import paper_document
 from ur5check.reports.paper_json import paper_json
 from ur5check.reports.terminal import render_text
 
-SCHEMA = json.loads(
-    (Path(__file__).parents[2] / "docs" / "schemas" / "report-1.schema.json").read_text("utf-8")
-)
+SCHEMA = json.loads((REPOSITORY / "docs" / "schemas" / "report-1.schema.json").read_text("utf-8"))
 
 
 @pytest.fixture(scope="module")

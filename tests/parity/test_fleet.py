@@ -16,6 +16,7 @@ import pytest
 from three_joints import ARM
 
 import ur5check
+from repository import REPOSITORY
 from ur5check.cli.main import main
 from ur5check.engines.registry import installed
 from ur5check.parity import fleet as fleet_module
@@ -27,7 +28,7 @@ from ur5check.reports.parity_json import fleet_json
 from ur5check.sources.fleet import FLEET
 from ur5check.sources.urdf_file import read_urdf
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 PAGE = (DOCS / "engines.md").read_text(encoding="utf-8")
 COMMANDS = [
     line

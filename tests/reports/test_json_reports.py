@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import re
-from pathlib import Path
 from typing import Any
 
 import jsonschema
@@ -13,6 +12,7 @@ import numpy as np
 import pytest
 
 import ur5check
+from repository import REPOSITORY
 from ur5check.checks.validation import Validation
 from ur5check.comparison.attribution_detail import by_parameter
 from ur5check.comparison.difference import Difference
@@ -20,7 +20,7 @@ from ur5check.explanation.explanation import Explanation
 from ur5check.reports.json_report import arm_json, difference_json, validation_json
 from ur5check.reports.json_values import json_text
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
 
 

@@ -7,13 +7,13 @@ import io
 import re
 import runpy
 import shlex
-from pathlib import Path
 
 import numpy as np
 import pytest
 from moving_arms import APPENDIX, CASE_9
 
 import ur5check
+from repository import REPOSITORY
 from ur5check.cli.main import main
 from ur5check.figures.convergence_figure import draw_convergence
 from ur5check.figures.files import as_svg
@@ -21,7 +21,7 @@ from ur5check.simulation.convergence import Convergence, Refinement
 from ur5check.simulation.standing import stand
 from ur5check.simulation.travel import travel_of
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 PAGE = (DOCS / "simulation.md").read_text(encoding="utf-8")
 COMMANDS = re.search(r"```sh\n(.*?)```", PAGE, re.DOTALL).group(1).splitlines()
 WORDS = re.compile(r">([^<>\n]+)</text>")

@@ -8,18 +8,18 @@ import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import jsonschema
 import numpy as np
 import pytest
 from pyarrow import parquet
 
+from repository import REPOSITORY
 from ur5check.cli.main import main
 from ur5check.sweeping.journal import duration
 from ur5check.sweeping.sweep import sweep
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
 BASE = ("sweep", "paper", "appendix", "--states", "2e3", "--over", "1")
 

@@ -17,9 +17,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from repository import REPOSITORY
 from ur5check.cli.main import main
 
-ROOT = Path(__file__).parents[2]
+ROOT = REPOSITORY
 PAGE = (ROOT / "docs" / "sweep.md").read_text(encoding="utf-8")
 COMMANDS = [
     line
