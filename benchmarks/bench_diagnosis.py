@@ -41,8 +41,8 @@ from mutations import (
     same_motion,
 )
 
-from ur5check.arm import SerialArm
-from ur5check.arm.states import States, random_states
+from ur5check._robot import SerialArm
+from ur5check._robot.states import States, random_states
 from ur5check.comparison.pair import pair_up
 from ur5check.diagnosis.diagnosis import Diagnosis, diagnose
 

@@ -18,7 +18,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ur5check.arm import DHRow, Inertia, Link, SerialArm, Transform, arm_from_dh
+from ur5check._robot import DHRow, Inertia, Link, SerialArm, Transform, arm_from_dh
 
 __all__ = [
     "GEOMETRY",

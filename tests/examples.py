@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ur5check.arm import Inertia, Joint, Link, SerialArm, Transform
+from ur5check._robot import Inertia, Joint, Link, SerialArm, Transform
 
 UR5S = ("paper", "paper-listing", "appendix", "erd-ur5")
 

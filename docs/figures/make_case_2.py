@@ -16,7 +16,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import ur5check
-from ur5check.arm.transforms import Array
+from ur5check._robot.transforms import Array
 from ur5check.engines.pinocchio import PinocchioEngine
 
 HERE = Path(__file__).resolve().parent

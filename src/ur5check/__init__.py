@@ -12,10 +12,10 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from .version import __version__
+from ._version import __version__
 
 if TYPE_CHECKING:
-    from .arm.serial_arm import SerialArm
+    from ._robot.serial_arm import SerialArm
     from .checks.validation import validate
     from .comparison.difference import diff
     from .dynamics.equations import (
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from .sweeping.sweep import sweep
 
 _HOMES = {
-    "SerialArm": ".arm.serial_arm",
+    "SerialArm": "._robot.serial_arm",
     "compare_engines": ".parity.comparison",
     "compile": ".kernels.kernel",
     "coriolis_matrix": ".dynamics.equations",

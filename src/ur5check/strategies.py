@@ -16,10 +16,10 @@ from typing import Literal
 import numpy as np
 from hypothesis import strategies as st
 
-from .arm.inertia import Inertia
-from .arm.serial_arm import Joint, Link, SerialArm
-from .arm.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE, States
-from .arm.transforms import Array, Transform
+from ._robot.inertia import Inertia
+from ._robot.serial_arm import Joint, Link, SerialArm
+from ._robot.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE, States
+from ._robot.transforms import Array, Transform
 
 __all__ = ["arms", "arms_and_states", "inertias", "states", "transforms", "unit_vectors"]
 

@@ -11,7 +11,7 @@ from hypothesis import given
 import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.checks.check import run
 from ur5check.checks.laws import LAWS
 from ur5check.checks.subject import Subject

@@ -9,8 +9,8 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check.arm import Inertia
-from ur5check.arm.states import random_states
+from ur5check._robot import Inertia
+from ur5check._robot.states import random_states
 from ur5check.checks.check import run
 from ur5check.checks.numbers import BODIES, PAIRS, PairSubject
 from ur5check.checks.subject import Subject

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import ur5check as library
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.sources.catalog import CATALOG
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from ur5check._errors import UsageError
 from ur5check.cli.output import emit
-from ur5check.errors import UsageError
 from ur5check.sources.catalog import CATALOG
 
 if TYPE_CHECKING:

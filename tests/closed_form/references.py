@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import ur5check
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.dynamics.equations import bias_torque
 from ur5check.engines.pinocchio import PinocchioEngine
 

@@ -12,7 +12,7 @@ from references import states
 import ur5check
 from examples import random_arm
 from ur5check import strategies
-from ur5check.arm import Transform
+from ur5check._robot import Transform
 from ur5check.benchmarking.growth import chain
 from ur5check.closed_form import regroup, wishes
 from ur5check.closed_form.regroup import regroupings, slid

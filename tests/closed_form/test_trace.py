@@ -13,9 +13,9 @@ from references import RECURSION, arguments, distance, referee, states
 import ur5check
 from examples import random_arm
 from ur5check import strategies
-from ur5check.arm.inertia import Inertia
+from ur5check._errors import StateError, UsageError
+from ur5check._robot.inertia import Inertia
 from ur5check.closed_form.trace import trace, trace_difference
-from ur5check.errors import StateError, UsageError
 
 MODELS = ("paper", "appendix", "random")
 QUANTITIES = tuple(RECURSION)

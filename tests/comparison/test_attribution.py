@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 import ur5check
 from examples import random_arm
 from ur5check import strategies
-from ur5check.arm import Transform
-from ur5check.arm.states import random_states
+from ur5check._robot import Transform
+from ur5check._robot.states import random_states
 from ur5check.comparison.attribution import Owner, attribute
 from ur5check.comparison.pair import pair_up
 from ur5check.comparison.shares import shares

@@ -7,7 +7,7 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check.arm import Transform
+from ur5check._robot import Transform
 from ur5check.comparison.story import base_in_words, tell
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import ur5check
+from ur5check._errors import UsageError
 from ur5check.comparison.pair import pair_up
 from ur5check.control.computed_torque import ComputedTorque, effort_limits
 from ur5check.control.error_dynamics import companion_matrix, poles
@@ -15,7 +16,6 @@ from ur5check.control.tracking import LOST, track
 from ur5check.control.trajectory import Quintic
 from ur5check.engines.own import OwnEngine
 from ur5check.engines.pinocchio import PinocchioEngine
-from ur5check.errors import UsageError
 from ur5check.simulation.integration import Precision
 
 APPENDIX = ur5check.load("appendix")

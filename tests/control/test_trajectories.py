@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import ur5check
-from ur5check.arm.states import MAX_ACCELERATION
+from ur5check._errors import StateError, UsageError
+from ur5check._robot.states import MAX_ACCELERATION
 from ur5check.control.fourier import FourierSeries, excitation
 from ur5check.control.sampled import read_trajectory
 from ur5check.control.trajectory import Quintic
-from ur5check.errors import StateError, UsageError
 
 APPENDIX = ur5check.load("appendix")
 QUINTIC = Quintic(np.array([0.0, 1.0, -1.0]), np.array([1.0, -1.0, -1.0]), 2.0)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import ur5check
 from examples import planar_arm
 from ur5check import strategies
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.comparison.pair import pair_up
 from ur5check.diagnosis.body import Scene, body_of, with_body
 from ur5check.diagnosis.catalogue import CATALOGUE

@@ -9,8 +9,8 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check.arm import DHRow, Inertia, Joint, Link, Transform, arm_from_dh
-from ur5check.arm.states import random_states
+from ur5check._robot import DHRow, Inertia, Joint, Link, Transform, arm_from_dh
+from ur5check._robot.states import random_states
 from ur5check.comparison.pair import pair_up
 from ur5check.diagnosis.diagnosis import diagnose
 

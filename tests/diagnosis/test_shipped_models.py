@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 import ur5check
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.comparison.pair import pair_up
 from ur5check.diagnosis.cylinder import fit_cylinder
 from ur5check.diagnosis.diagnosis import diagnose

@@ -10,8 +10,8 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check.arm import Inertia, Transform
-from ur5check.arm.states import random_states
+from ur5check._robot import Inertia, Transform
+from ur5check._robot.states import random_states
 from ur5check.comparison.pair import pair_up
 from ur5check.digits.cylinder_constant import cut_twelfths
 from ur5check.digits.decimals import decimals_of, half_units, written_as

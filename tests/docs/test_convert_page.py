@@ -11,7 +11,7 @@ import pytest
 import ur5check
 from examples import random_arm
 from repository import REPOSITORY
-from ur5check.arm import Limits
+from ur5check._robot import Limits
 from ur5check.cli.main import main
 from ur5check.export.dh_toml import dh_toml_of
 from ur5check.export.mjcf import mjcf_of

@@ -15,7 +15,7 @@ import pytest
 
 import ur5check
 from repository import REPOSITORY
-from ur5check.errors import Ur5checkError
+from ur5check._errors import Ur5checkError
 
 PAGE = REPOSITORY / "docs" / "inputs.md"
 NOTHING = "nothing"

@@ -7,7 +7,7 @@ import pytest
 
 import ur5check
 from examples import UR5S, random_arm
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.engines.pinocchio import PinocchioEngine
 
 

@@ -7,7 +7,7 @@ import pytest
 
 import ur5check
 from examples import planar_arm
-from ur5check.arm import Inertia, Joint, Link, SerialArm, Transform
+from ur5check._robot import Inertia, Joint, Link, SerialArm, Transform
 
 G = 9.81
 Q = np.linspace(-3.0, 3.0, 13)

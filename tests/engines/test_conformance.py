@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import ur5check
-from ur5check.arm import Inertia, SerialArm
+from ur5check._robot import Inertia, SerialArm
 from ur5check.engines import conformance
 from ur5check.engines.conformance_arms import URDF, handed_over, in_text
 from ur5check.engines.habits import remedied

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 import ur5check
 from examples import UR5S, planar_arm, random_arm
 from ur5check import strategies as ur5
-from ur5check.arm import DHRow, Limits, Transform, arm_from_dh
-from ur5check.arm.states import random_states
-from ur5check.errors import UsageError
+from ur5check._errors import UsageError
+from ur5check._robot import DHRow, Limits, Transform, arm_from_dh
+from ur5check._robot.states import random_states
 from ur5check.export.dh_frames import dh_frames
 from ur5check.export.dh_toml import dh_toml_of
 from ur5check.sources.dh_file import read_dh

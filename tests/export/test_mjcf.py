@@ -12,9 +12,9 @@ import pytest
 
 import ur5check
 from examples import UR5S, random_arm
-from ur5check.arm import Inertia, Limits, SerialArm, Transform
-from ur5check.arm.states import random_states
-from ur5check.errors import ModelError, UsageError
+from ur5check._errors import ModelError, UsageError
+from ur5check._robot import Inertia, Limits, SerialArm, Transform
+from ur5check._robot.states import random_states
 from ur5check.export.mjcf import mjcf_of
 from ur5check.export.settled import quaternion_pose, rpy_pose
 from ur5check.export.urdf import urdf_of

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from ur5check._errors import UsageError
 from ur5check.cli.main import main
-from ur5check.errors import UsageError
 from ur5check.handover.folder import write_folder
 
 FILES = {"a/b.txt": b"b", "c.py": b"c"}

@@ -10,7 +10,7 @@ from lxml import etree
 
 import ur5check
 from examples import random_arm
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
 from ur5check.export.numbers import exact
 from ur5check.export.urdf import NO_LIMIT, urdf_of
 from ur5check.handover.gazebo_model import GazeboModel, gazebo_model

@@ -17,8 +17,8 @@ from lxml import etree
 
 import ur5check
 from examples import random_arm
-from ur5check.arm import Inertia, Joint, Limits, Link, SerialArm, Transform
-from ur5check.errors import UsageError
+from ur5check._errors import UsageError
+from ur5check._robot import Inertia, Joint, Limits, Link, SerialArm, Transform
 from ur5check.handover.templates import fill, names_under
 from ur5check.paper.cases import case
 from ur5check.sources.packages import default_packages

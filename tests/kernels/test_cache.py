@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ur5check as ur5
-from ur5check.errors import UsageError
+from ur5check._errors import UsageError
 from ur5check.kernels.cache import cache_folder, kept
 from ur5check.kernels.fingerprint import fingerprint
 

@@ -8,9 +8,9 @@ import pytest
 
 import ur5check as ur5
 from examples import planar_arm
-from ur5check.arm.states import random_states
+from ur5check._errors import UsageError
+from ur5check._robot.states import random_states
 from ur5check.engines.pinocchio import PinocchioEngine
-from ur5check.errors import UsageError
 from ur5check.kernels.jax_function import jax_rnea, jax_torque_difference
 
 

@@ -9,9 +9,9 @@ import pytest
 
 import ur5check as ur5
 from examples import random_arm
-from ur5check.arm.states import random_states
+from ur5check._errors import StateError, UsageError
+from ur5check._robot.states import random_states
 from ur5check.engines.pinocchio import PinocchioEngine
-from ur5check.errors import StateError, UsageError
 from ur5check.kernels import source
 from ur5check.kernels.kernel import Kernel, compile_difference, default_path
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ur5check as ur5
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.closed_form.program import Assignment, Program, Term, state_names
 from ur5check.closed_form.trace import trace
 from ur5check.kernels import machine_code as module

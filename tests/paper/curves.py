@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ur5check.arm.transforms import Array
+from ur5check._robot.transforms import Array
 from ur5check.paper.runs import Run
 
 

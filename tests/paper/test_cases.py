@@ -7,7 +7,7 @@ import pytest
 
 import ur5check
 from examples import UR5S, planar_arm, random_arm
-from ur5check.arm.serial_arm import SerialArm
+from ur5check._robot.serial_arm import SerialArm
 from ur5check.paper.cases import CASES, case
 from ur5check.paper.evidence import Evidence
 from ur5check.paper.harmonic import fit_harmonic

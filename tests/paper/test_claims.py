@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from paper.curves import replaced, with_curve
-from ur5check.arm.inertia import Inertia
-from ur5check.arm.serial_arm import SerialArm
-from ur5check.arm.transforms import Transform
+from ur5check._robot.inertia import Inertia
+from ur5check._robot.serial_arm import SerialArm
+from ur5check._robot.transforms import Transform
 from ur5check.paper import curve_claims, load_claims, number_claims
 from ur5check.paper.cases import SWEEP
 from ur5check.paper.claim import Claim, Trial, judged, overall

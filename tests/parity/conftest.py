@@ -8,7 +8,7 @@ import planted_engines
 import pytest
 from three_joints import ARM
 
-from ur5check.arm import SerialArm
+from ur5check._robot import SerialArm
 from ur5check.engines.registry import REGISTRY, EngineEntry
 from ur5check.sources.urdf_file import read_urdf
 

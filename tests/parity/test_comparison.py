@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from ur5check.arm.states import random_states
+from ur5check._errors import EngineError, UsageError
+from ur5check._robot.states import random_states
 from ur5check.dynamics.newton_euler import rnea
 from ur5check.engines.own import OwnEngine
-from ur5check.errors import EngineError, UsageError
 from ur5check.parity.answers import ask, hold_against
 from ur5check.parity.comparison import SAME_ROBOT, compare_engines
 from ur5check.parity.story import tell

@@ -11,7 +11,7 @@ from scipy.spatial import ConvexHull
 
 import ur5check
 from ur5check import strategies as ur5
-from ur5check.arm import Inertia, Joint, Link, SerialArm, Transform
+from ur5check._robot import Inertia, Joint, Link, SerialArm, Transform
 from ur5check.plausibility.plausibility import plausibility
 from ur5check.plausibility.plausible_body import body_findings
 from ur5check.plausibility.plausible_extent import _even_tensor

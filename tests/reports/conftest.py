@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ur5check
-from ur5check.arm.states import random_states
+from ur5check._robot.states import random_states
 from ur5check.checks.validation import Validation, validate_arm
 from ur5check.comparison.difference import Difference
 from ur5check.engines.pinocchio import PinocchioEngine

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import ur5check
-from ur5check.arm import Transform
-from ur5check.arm.states import random_states
+from ur5check._robot import Transform
+from ur5check._robot.states import random_states
 from ur5check.checks.validation import Validation
 from ur5check.comparison.difference import Difference, compare
 from ur5check.reports.arm_document import arm_document

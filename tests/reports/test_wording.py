@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from ur5check.arm import Joint
+from ur5check._robot import Joint
 from ur5check.reports.wording import coordinates, figures, joined, posture, residue
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import ur5check
-from ur5check.arm import Inertia, Joint, Limits, Link, SerialArm, Transform
+from ur5check._robot import Inertia, Joint, Limits, Link, SerialArm, Transform
 
 #: Test 9 of the paper [rad].
 CASE_9 = np.array([0.0, 0.9, -1.0, 1.0, 3.5, -1.9])

@@ -8,8 +8,8 @@ from moving_arms import APPENDIX, CASE_9, pendulum
 
 import ur5check
 from examples import random_arm
-from ur5check.arm import Inertia
-from ur5check.errors import StateError, UsageError
+from ur5check._errors import StateError, UsageError
+from ur5check._robot import Inertia
 from ur5check.simulation.acceleration import acceleration_of
 from ur5check.simulation.flight import integrated
 from ur5check.simulation.integration import REFERENCE, WORKING, integrate

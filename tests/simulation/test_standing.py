@@ -8,7 +8,7 @@ from moving_arms import APPENDIX, CASE_9, pendulum
 from scipy.linalg import eigh
 
 import ur5check
-from ur5check.errors import StateError, UsageError
+from ur5check._errors import StateError, UsageError
 from ur5check.simulation.equilibrium import gravity_stiffness, growth_rate
 from ur5check.simulation.flight import integrated
 from ur5check.simulation.integration import REFERENCE

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from ur5check.arm import Inertia, SerialArm, Transform
+from ur5check._robot import Inertia, SerialArm, Transform
 
 # A link and the joint that moves it often share a name.
 BODIES = pin.FrameType.BODY

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from ur5check.errors import UsageError
+from ur5check._errors import UsageError
 from ur5check.sources.catalog import CATALOG, CatalogEntry, lookup, models_directory
 
 each = pytest.mark.parametrize("entry", CATALOG.values(), ids=list(CATALOG))

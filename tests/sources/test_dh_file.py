@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from ur5check.arm import Limits, SerialArm, Transform
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
+from ur5check._robot import Limits, SerialArm, Transform
 from ur5check.sources.dh_file import read_dh
 
 from .kinematics import link_poses

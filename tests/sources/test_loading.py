@@ -10,7 +10,7 @@ from pathlib import Path
 import pinocchio as pin
 import pytest
 
-from ur5check.errors import ModelError, UsageError
+from ur5check._errors import ModelError, UsageError
 from ur5check.sources.catalog import CATALOG
 from ur5check.sources.loading import load
 

@@ -12,8 +12,8 @@ import pytest
 import trimesh
 
 import ur5check
-from ur5check.arm.states import random_states
-from ur5check.errors import ModelError, UsageError
+from ur5check._errors import ModelError, UsageError
+from ur5check._robot.states import random_states
 
 INERTIAL = '<inertial pos="0 0 0.1" mass="2" fullinertia="0.1 0.12 0.11 0.01 0.02 0.005"/>'
 ARM = """\

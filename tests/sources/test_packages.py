@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
 from ur5check.sources.packages import PackageMap, default_packages, models_directory
 
 

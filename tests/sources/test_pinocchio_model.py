@@ -8,8 +8,8 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from ur5check.arm import Limits
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
+from ur5check._robot import Limits
 from ur5check.sources.pinocchio_model import read_pinocchio_model
 from ur5check.sources.urdf_file import read_urdf
 

@@ -13,8 +13,8 @@ from pydrake.multibody.plant import MultibodyPlant
 from pydrake.multibody.tree import MultibodyForces
 
 import ur5check
-from ur5check.arm.states import random_states
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
+from ur5check._robot.states import random_states
 
 INERTIAL = """<inertial><pose>0.01 0.02 0.1 0.3 0.2 0.1</pose><mass>2</mass><inertia>
   <ixx>0.1</ixx><ixy>0.01</ixy><ixz>0.02</ixz><iyy>0.12</iyy><iyz>0.005</iyz><izz>0.11</izz>

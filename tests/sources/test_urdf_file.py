@@ -8,8 +8,8 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from ur5check.arm import Limits, SerialArm
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
+from ur5check._robot import Limits, SerialArm
 from ur5check.sources.urdf_file import read_urdf
 
 from .kinematics import assert_same_inertias, assert_same_kinematics, only_these_joints

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
 from ur5check.sources.urdf_strict import check_urdf
 
 from .robots import GOOD, spoiled

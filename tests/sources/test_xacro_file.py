@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
 from ur5check.sources.packages import PackageMap
 from ur5check.sources.xacro_file import Expansion, expand_xacro
 

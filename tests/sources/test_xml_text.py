@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from ur5check.errors import ModelError
+from ur5check._errors import ModelError
 from ur5check.sources.xml_text import checked_xml
 
 DECLARED = b'<?xml version="1.0" encoding="%s"?>\n<robot/>'

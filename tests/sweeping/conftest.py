@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ur5check
-from ur5check.arm.serial_arm import SerialArm
+from ur5check._robot.serial_arm import SerialArm
 
 
 @pytest.fixture(scope="session")

@@ -10,7 +10,7 @@ import sys
 import pytest
 from distributed import Client, LocalCluster
 
-from ur5check.errors import StateError, UsageError
+from ur5check._errors import StateError, UsageError
 from ur5check.sweeping import cluster, journal
 from ur5check.sweeping.checkpoint import tally_value
 from ur5check.sweeping.sample import BLOCK

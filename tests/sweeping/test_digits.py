@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ur5check.errors import UsageError
+from ur5check._errors import UsageError
 from ur5check.sweeping import journal
 from ur5check.sweeping.checkpoint import tally_value
 from ur5check.sweeping.crew import threads

@@ -11,8 +11,8 @@ import pyarrow as pa
 import pytest
 from pyarrow import parquet
 
-from ur5check.arm.states import States, random_states
-from ur5check.errors import StateError, UsageError
+from ur5check._errors import StateError, UsageError
+from ur5check._robot.states import States, random_states
 from ur5check.sweeping.checkpoint import tally_value
 from ur5check.sweeping.csv_log import open_csv
 from ur5check.sweeping.logs import log_sample

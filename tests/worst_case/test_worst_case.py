@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 import ur5check
 from examples import random_arm
 from ur5check import strategies as ur5
-from ur5check.arm import Inertia, Joint, Limits, Link, SerialArm, Source, Transform
+from ur5check._errors import UsageError
+from ur5check._robot import Inertia, Joint, Limits, Link, SerialArm, Source, Transform
 from ur5check.comparison.pair import pair_up
-from ur5check.errors import UsageError
 from ur5check.worst_case.ascent import Ascent, Gap, joint_gain, squared_sum
 from ur5check.worst_case.state_box import effort_limits, state_box
 from ur5check.worst_case.worst_case import worst_cases

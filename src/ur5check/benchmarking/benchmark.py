@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States, random_states
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States, random_states
 from .commands import profiles
 from .first_use import first_use
 from .growth import joints, numbers_of_states

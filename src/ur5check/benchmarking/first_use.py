@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..arm.serial_arm import SerialArm, Source
+from .._robot.serial_arm import SerialArm, Source
 from ..kernels.kernel import default_path
 from .growth import chain
 from .result import Chapter, Comparison

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Joint, Link, SerialArm
-from ..arm.states import States, random_states
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Joint, Link, SerialArm
+from .._robot.states import States, random_states
+from .._robot.transforms import Array, Transform
 from ..export.urdf import urdf_of
 from ..sources.loading import load
 from .pinocchio_calls import PinocchioCalls

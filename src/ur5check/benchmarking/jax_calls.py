@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..kernels.jax_function import jax_rnea
 from .timing import Contestant
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
 from ..dynamics import equations, regressor
 from ..kernels import kernel
 from .pinocchio_calls import PinocchioCalls

@@ -11,9 +11,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
 from .result import Chapter
 from .timing import Contestant, race
 from .torques import NUMPY, kernels, with_threads

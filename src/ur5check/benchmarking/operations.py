@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..closed_form.quantities import Quantity
 from ..closed_form.trace import as_written, trace
 from .growth import chain

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from ..arm.serial_arm import SerialArm, Source
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm, Source
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..engines.pinocchio import PinocchioEngine
 
 __all__ = ["PinocchioCalls"]

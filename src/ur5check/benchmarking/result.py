@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..closed_form.program import Operations
 
 __all__ = ["Benchmark", "Chapter", "Comparison", "OperationCount", "Profile", "Timing"]

@@ -9,7 +9,7 @@ from time import perf_counter
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from .result import Comparison, Timing
 
 __all__ = ["Contestant", "race", "ranked"]

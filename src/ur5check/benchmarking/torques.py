@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm, Source
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._errors import EngineError
+from .._robot.serial_arm import SerialArm, Source
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..dynamics.newton_euler import rnea
 from ..engines.registry import REGISTRY, installed, make_engine
-from ..errors import EngineError
 from ..kernels import kernel
 from .jax_calls import jax_contestant
 from .pinocchio_calls import PinocchioCalls

@@ -8,8 +8,8 @@ from typing import Generic, Literal, TypeVar
 
 import numpy as np
 
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.states import States
+from .._robot.transforms import Array
 
 __all__ = ["About", "Check", "Measurement", "Outcome", "Status", "Tolerance", "run"]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from ..comparison.motion import tool_errors
 from .check import Check, Measurement, Tolerance
 from .subject import STEP, Subject

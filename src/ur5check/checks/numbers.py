@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from ..comparison.difference import Difference
 from ..engines.engine import Engine

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States, random_states
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States, random_states
 from ..comparison.difference import Difference, compare, under_gravity
 from ..engines.engine import Referee
 from ..engines.own import OwnEngine

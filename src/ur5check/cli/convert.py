@@ -9,12 +9,12 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .options import MODELS, ModelOptions, add_model_options, add_output_options, progress
 from .output import check_output, emit
 
 if TYPE_CHECKING:
-    from ..arm.serial_arm import SerialArm
+    from .._robot.serial_arm import SerialArm
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 

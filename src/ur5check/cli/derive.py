@@ -18,7 +18,7 @@ from .options import (
 from .output import check_output, emit
 
 if TYPE_CHECKING:
-    from ..arm.serial_arm import SerialArm
+    from .._robot.serial_arm import SerialArm
     from ..closed_form.derivation import Derivation
 
 __all__ = ["EXAMPLES", "add_options", "run"]

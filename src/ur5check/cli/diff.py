@@ -10,7 +10,7 @@ import argparse
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .options import (
     MODELS,
     ModelOptions,
@@ -64,7 +64,7 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=args.quiet)
     _check_outputs(args, options.files(arms))
 
-    from ..arm.states import MAX_ACCELERATION
+    from .._robot.states import MAX_ACCELERATION
     from ..comparison.attribution_detail import by_parameter
     from ..comparison.difference import diff
     from ..explanation.explanation import explain

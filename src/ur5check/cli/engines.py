@@ -10,7 +10,7 @@ from __future__ import annotations
 import argparse
 import math
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .options import (
     MODELS,
     ModelOptions,

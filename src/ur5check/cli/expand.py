@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .options import add_output_options, name_value_pairs, progress
 from .output import check_output, emit
 

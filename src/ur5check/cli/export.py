@@ -6,11 +6,11 @@ import argparse
 import shlex
 from typing import TYPE_CHECKING
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .options import MODELS, ModelOptions, add_model_options, progress
 
 if TYPE_CHECKING:
-    from ..arm.transforms import Array
+    from .._robot.transforms import Array
     from ..handover.package import GazeboHandover, Ros
 
 __all__ = ["EXAMPLES", "add_options", "run"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from ..errors import ModelError
+from .._errors import ModelError
 from ..sources.catalog import CATALOG
 from ..sources.packages import default_packages
 

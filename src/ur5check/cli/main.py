@@ -18,8 +18,8 @@ import traceback
 from collections.abc import Sequence
 from importlib import import_module
 
-from ..errors import Ur5checkError
-from ..version import __version__
+from .._errors import Ur5checkError
+from .._version import __version__
 from .parser import Parser
 
 __all__ = ["main"]

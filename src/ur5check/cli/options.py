@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .output import FORMATS
 
 if TYPE_CHECKING:
-    from ..arm.serial_arm import SerialArm
+    from .._robot.serial_arm import SerialArm
 
 __all__ = [
     "MODELS",

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from ..errors import UsageError
+from .._errors import UsageError
 
 if TYPE_CHECKING:
     from ..reports.document import Document

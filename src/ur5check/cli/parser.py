@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import NoReturn
 
-from ..errors import UsageError
+from .._errors import UsageError
 
 __all__ = ["Parser"]
 

@@ -11,7 +11,7 @@ import shlex
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .options import (
     MODELS,
     ModelOptions,

@@ -13,7 +13,7 @@ import argparse
 import shlex
 from pathlib import Path
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .options import (
     MODELS,
     ModelOptions,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from .program import Operations, Program
 from .quantities import Quantity
 from .trace import Parameters, as_written, trace

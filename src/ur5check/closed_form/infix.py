@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..version import __version__
+from .._version import __version__
 from .program import Assignment, Program, Term
 from .quantities import QUANTITIES
 

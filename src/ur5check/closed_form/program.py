@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import StateError
+from .._errors import StateError
 
 __all__ = [
     "STATE",

@@ -22,8 +22,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 from ..dynamics.chain import Chain, chain_of
 from ..dynamics.vectors import ZERO, Matrix, Vector
 from .wishes import Unseen, Wish

@@ -21,7 +21,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..dynamics.chain import Chain, LinkConstants, chain_of
 from ..dynamics.vectors import Matrix, Scalar, Vector
 from .graph import Graph

@@ -16,10 +16,10 @@ from typing import Literal
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from .._errors import UsageError
+from .._robot.serial_arm import SerialArm
 from ..dynamics.chain import Chain, chain_of
 from ..dynamics.vectors import ZERO, Scalar, Vector
-from ..errors import UsageError
 from .assembly import assemble
 from .factoring import factored
 from .graph import Graph

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.states import random_states
+from .._robot.states import random_states
 from .program import Program
 
 __all__ = ["vanishing"]

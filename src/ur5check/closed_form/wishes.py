@@ -17,10 +17,10 @@ from functools import cached_property
 
 import numpy as np
 
-from ..arm.inertia import PARAMETERS
-from ..arm.serial_arm import SerialArm
-from ..arm.states import random_states
-from ..arm.transforms import Array
+from .._robot.inertia import PARAMETERS
+from .._robot.serial_arm import SerialArm
+from .._robot.states import random_states
+from .._robot.transforms import Array
 from ..dynamics.regressor import torque_regressor
 
 __all__ = ["Unseen", "Wish"]

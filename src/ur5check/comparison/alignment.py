@@ -22,9 +22,9 @@ from itertools import islice
 
 import numpy as np
 
-from ..arm.serial_arm import Joint, Limits, SerialArm, Source
-from ..arm.transforms import Array, Transform
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.serial_arm import Joint, Limits, SerialArm, Source
+from .._robot.transforms import Array, Transform
 from .axes import across, joint_starts, signed_angle, smallest_turn, tool_pose
 from .walk import NEAR_ANGLE, NEAR_LENGTH, Walk, as_written, met_at_the_tool, walks
 

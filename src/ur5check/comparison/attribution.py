@@ -21,9 +21,9 @@ from typing import Literal
 
 import numpy as np
 
-from ..arm.inertia import Inertia, parameter_map
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.inertia import Inertia, parameter_map
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..dynamics.newton_euler import rnea
 from ..dynamics.regressor import torque_regressor
 from .pair import Pair, Side

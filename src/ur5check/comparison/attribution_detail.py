@@ -7,9 +7,9 @@ from itertools import product
 
 import numpy as np
 
-from ..arm.inertia import parameter_map
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.inertia import parameter_map
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..dynamics.regressor import torque_regressor
 from .attribution import PARAMETER_OWNERS, Attribution, Owner, attribute
 from .pair import Pair, Side

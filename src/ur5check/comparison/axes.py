@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 
 __all__ = [
     "across",

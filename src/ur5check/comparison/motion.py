@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..dynamics.kinematics import forward_kinematics
 from .pair import Pair
 

@@ -7,9 +7,9 @@ from typing import Literal
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 from ..dynamics.kinematics import link_frames
 from .alignment import (
     SAME_ANGLE,

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Link
-from ..arm.transforms import Array
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Link
+from .._robot.transforms import Array
 from .pair import Pair
 
 __all__ = ["LinkParameters", "compare_parameters"]

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from itertools import product
 from math import factorial
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = ["shares", "weight"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.transforms import Transform
+from .._robot.transforms import Transform
 from .alignment import SAME_ANGLE, SAME_LENGTH
 from .attribution import Owner
 from .difference import Difference

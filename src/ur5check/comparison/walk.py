@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 from .axes import (
     across,
     angle_about,

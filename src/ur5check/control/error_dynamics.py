@@ -20,7 +20,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from .gains import Gains
 from .law import FeedbackLaw
 

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
-from ..errors import StateError
+from .._errors import StateError
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..sources.number_columns import NumberColumns, read_columns
 from .trajectory import Reference
 

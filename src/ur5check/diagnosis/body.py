@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Link, SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Link, SerialArm
+from .._robot.transforms import Array, Transform
 from ..comparison.alignment import SAME_LENGTH
 from ..comparison.pair import Pair, Side
 

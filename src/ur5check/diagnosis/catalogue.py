@@ -11,8 +11,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.transforms import Array, Transform
 from .body import Scene
 from .cylinder import Cylinder, fit_cylinder
 from .mistake import Mistake, Quantity, Remedy, value_of

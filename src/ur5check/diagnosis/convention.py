@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Transform
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Transform
 
 __all__ = ["read_by_the_other_rule"]
 

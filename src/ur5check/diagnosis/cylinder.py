@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = ["Cylinder", "fit_cylinder"]
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
 from ..comparison.pair import Pair, Side
 from ..dynamics.newton_euler import rnea
 from .body import body_of, with_body

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from .mistake import Remedy
 
 __all__ = ["DECADES", "axis_swaps", "decimal_slips", "digit_swaps", "sign_flips", "words_of"]

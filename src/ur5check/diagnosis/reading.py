@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from ..comparison.pair import Pair, Side, pair_as_written, pair_up
 from .body import Body, Scene

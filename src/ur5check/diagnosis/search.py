@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from .body import Body, Scene, changed_bodies
 from .catalogue import CATALOGUE
 from .mistake import Mistake, Quantity, changed, value_of

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..arm.transforms import Array, Transform
+from .._robot.transforms import Array, Transform
 from ..comparison.alignment import SAME_ANGLE
 from ..comparison.pair import Side
 from .reading import Reading

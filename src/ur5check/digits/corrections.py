@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..comparison.pair import Side
 from .cylinder_constant import cut_twelfths, with_exact_twelfth
 from .decimals import Writing, written_as

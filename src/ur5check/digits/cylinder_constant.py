@@ -13,9 +13,9 @@ from math import sqrt
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Link, SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Link, SerialArm
+from .._robot.transforms import Array, Transform
 from .decimals import decimals_of
 from .reframing import arm_with_link
 

@@ -18,9 +18,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
 from ..comparison.pair import Pair, Side
 from ..dynamics.newton_euler import rnea

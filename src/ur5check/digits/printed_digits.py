@@ -16,9 +16,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.inertia import Inertia, parameter_map
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia, parameter_map
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 from .decimals import half_units
 from .reframing import arm_with_link, reach_is_written_at_far_end, with_far_end
 

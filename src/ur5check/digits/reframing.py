@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arm.serial_arm import Link, SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.serial_arm import Link, SerialArm
+from .._robot.transforms import Array, Transform
 from .decimals import decimals_of
 
 __all__ = ["arm_with_link", "reach_is_written_at_far_end", "with_far_end"]

@@ -7,8 +7,8 @@ from math import pi
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 from .decimals import Writing, written_as
 from .reframing import arm_with_link, reach_is_written_at_far_end, with_far_end
 

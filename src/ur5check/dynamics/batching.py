@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
-from ..errors import StateError
+from .._errors import StateError
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from .vectors import Scalar
 
 __all__ = ["JointState", "evaluate", "gravity_of", "joint_array"]

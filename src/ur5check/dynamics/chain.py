@@ -19,8 +19,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from .vectors import ZERO, Matrix, Scalar, Vector
 
 __all__ = ["Chain", "LinkConstants", "Rotation", "chain_of"]

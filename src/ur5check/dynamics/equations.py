@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..arm.serial_arm import SerialArm
-from ..errors import StateError
+from .._errors import StateError
+from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of, joint_array
 from .chain import Chain, chain_of
 from .kinematics import frames

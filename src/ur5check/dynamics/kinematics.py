@@ -6,7 +6,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate
 from .chain import Chain, chain_of
 from .vectors import Scalar, Vector

@@ -18,7 +18,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of
 from .chain import Chain, chain_of
 from .newton_euler import LinkMotion, outward

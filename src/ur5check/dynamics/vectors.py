@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = ["ZERO", "Matrix", "Scalar", "Vector", "plus", "times"]
 

@@ -22,8 +22,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.states import States, random_states
-from ..arm.transforms import Array
+from .._robot.states import States, random_states
+from .._robot.transforms import Array
 from .conformance_arms import CASES, Case
 from .engine import Engine, MakeEngine
 from .holdings import Holdings, moving_inertias

@@ -15,9 +15,9 @@ from functools import cache
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Joint, Limits, Link, SerialArm, Source
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Joint, Limits, Link, SerialArm, Source
+from .._robot.transforms import Array, Transform
 
 __all__ = ["CASES", "Case", "handed_over", "in_text"]
 

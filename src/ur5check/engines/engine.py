@@ -14,8 +14,8 @@ from typing import ClassVar, Protocol
 
 from numpy.typing import ArrayLike
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from .holdings import Holdings
 
 __all__ = ["Engine", "MakeEngine", "Referee", "Stepper"]

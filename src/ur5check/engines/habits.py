@@ -14,8 +14,8 @@ from dataclasses import replace
 
 from lxml import etree
 
-from ..arm.serial_arm import SerialArm
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.serial_arm import SerialArm
 from .habit import Habit
 from .remedies import (
     fix_root_to_world,

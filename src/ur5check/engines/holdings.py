@@ -14,9 +14,9 @@ from operator import add
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Joint, SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Joint, SerialArm
+from .._robot.transforms import Array, Transform
 from ..dynamics.kinematics import link_frames
 
 __all__ = ["HeldBody", "Holdings", "believed_arm", "moving_inertias", "strict_holdings"]

@@ -17,10 +17,10 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Joint, Limits, SerialArm
-from ..arm.transforms import Array, Transform
-from ..errors import EngineError
+from .._errors import EngineError
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Joint, Limits, SerialArm
+from .._robot.transforms import Array, Transform
 from .each_state import each_state
 from .holdings import HeldBody, Holdings
 from .urdf_text import text_for_engines

@@ -11,10 +11,10 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
+from .._version import __version__
 from ..dynamics import equations, kinematics, newton_euler, regressor
 from ..dynamics.batching import gravity_of
-from ..version import __version__
 from .holdings import Holdings, strict_holdings
 
 __all__ = ["OwnEngine"]

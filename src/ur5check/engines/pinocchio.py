@@ -15,10 +15,10 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from ..arm.inertia import Inertia, parameter_map
-from ..arm.serial_arm import Joint, Limits, SerialArm
-from ..arm.transforms import Array, Transform
-from ..errors import EngineError
+from .._errors import EngineError
+from .._robot.inertia import Inertia, parameter_map
+from .._robot.serial_arm import Joint, Limits, SerialArm
+from .._robot.transforms import Array, Transform
 from .each_state import each_state
 from .holdings import HeldBody, Holdings
 from .said import listening

@@ -7,8 +7,8 @@ from importlib import import_module, metadata
 
 from numpy.typing import ArrayLike
 
-from ..arm.serial_arm import SerialArm
-from ..errors import EngineError, UsageError
+from .._errors import EngineError, UsageError
+from .._robot.serial_arm import SerialArm
 from .engine import Engine, MakeEngine
 
 __all__ = ["REGISTRY", "EngineEntry", "engine_class", "installed", "make_engine"]
@@ -35,7 +35,7 @@ class EngineEntry:
     def version(self) -> str | None:
         """The installed version, asked without importing anything; None if it is not here."""
         if self.distribution is None:
-            from ..version import __version__
+            from .._version import __version__
 
             return __version__
         try:

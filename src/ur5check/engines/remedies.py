@@ -11,7 +11,7 @@ from typing import Any
 
 from lxml import etree
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .urdf_text import root_link
 
 __all__ = [

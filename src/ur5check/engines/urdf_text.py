@@ -12,8 +12,8 @@ from typing import Any
 
 from lxml import etree
 
-from ..arm.serial_arm import SerialArm
-from ..errors import EngineError
+from .._errors import EngineError
+from .._robot.serial_arm import SerialArm
 
 __all__ = ["parsed", "root_link", "text_for_engines", "written"]
 

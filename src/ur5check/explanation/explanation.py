@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ..arm.states import MAX_ACCELERATION, States
+from .._robot.states import MAX_ACCELERATION, States
 from ..comparison.attribution_detail import TermAttribution, by_term
 from ..comparison.difference import Difference
 from ..diagnosis.diagnosis import Diagnosis, diagnose

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ..arm.serial_arm import SerialArm
-from ..version import __version__
+from .._robot.serial_arm import SerialArm
+from .._version import __version__
 
 __all__ = ["came_from", "xml_comment"]
 

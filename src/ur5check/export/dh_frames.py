@@ -24,9 +24,9 @@ from typing import NoReturn
 
 import numpy as np
 
-from ..arm.serial_arm import Link, SerialArm
-from ..arm.transforms import Array, Transform
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.serial_arm import Link, SerialArm
+from .._robot.transforms import Array, Transform
 from .settled import on_grid
 
 __all__ = ["ROUNDING", "DHFrames", "dh_frames"]

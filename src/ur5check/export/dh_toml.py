@@ -14,9 +14,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from ..arm.serial_arm import Joint, Link, SerialArm
-from ..arm.transforms import Transform
-from ..version import __version__
+from .._robot.serial_arm import Joint, Link, SerialArm
+from .._robot.transforms import Transform
+from .._version import __version__
 from .dh_frames import ROUNDING, dh_frames
 from .numbers import as_written, exact
 from .settled import angle, rpy_pose

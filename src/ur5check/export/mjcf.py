@@ -14,9 +14,9 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from ..arm.serial_arm import Joint, Link, SerialArm
-from ..arm.transforms import Array, Transform
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.serial_arm import Joint, Link, SerialArm
+from .._robot.transforms import Array, Transform
 from .comments import came_from, xml_comment
 from .names import unique_names
 from .numbers import as_written, exact, triple

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Link
-from ..arm.transforms import Array, Transform, cos_sin
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Link
+from .._robot.transforms import Array, Transform, cos_sin
 from .numbers import roll_pitch_yaw
 
 __all__ = ["Pose", "angle", "on_grid", "quaternion_pose", "rpy_pose", "settled_inertia"]

@@ -17,8 +17,8 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import STANDARD_GRAVITY, Joint, SerialArm
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import STANDARD_GRAVITY, Joint, SerialArm
 from .comments import came_from, xml_comment
 from .names import unique_names
 from .numbers import exact, triple

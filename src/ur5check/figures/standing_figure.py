@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from ..dynamics.kinematics import link_frames
 from ..simulation.standing import STILL, Standing
 from .style import BLUE, GREY, INK, ORANGE, bare, new_figure, titled

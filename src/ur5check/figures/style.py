@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ..errors import UsageError
+from .._errors import UsageError
 from ..paper.models import PINOCCHIO, PRINTED, REPAIRED
 
 if TYPE_CHECKING:

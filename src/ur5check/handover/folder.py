@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from pathlib import Path
 
-from ..errors import UsageError
+from .._errors import UsageError
 
 __all__ = ["check_folder", "write_folder"]
 

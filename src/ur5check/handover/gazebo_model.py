@@ -23,10 +23,10 @@ from pathlib import Path
 
 from lxml import etree
 
-from ..arm import SerialArm, Transform
-from ..arm.transforms import Array
+from .._errors import ModelError
+from .._robot import SerialArm, Transform
+from .._robot.transforms import Array
 from ..engines.habits import habits_of
-from ..errors import ModelError
 from ..sources.packages import PackageMap
 from ..sources.urdf_chain import Chain
 from ..sources.urdf_robot import Robot

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..arm import Joint
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot import Joint
 
 __all__ = ["HALF_TURN", "start_angles"]
 

@@ -15,14 +15,14 @@ from pathlib import Path
 from typing import Literal
 from xml.sax.saxutils import escape
 
-from ..arm import SerialArm
-from ..arm.transforms import Array
+from .._robot import SerialArm
+from .._robot.transforms import Array
+from .._version import __version__
 from ..dynamics.equations import gravity_torque
 from ..export.numbers import triple
 from ..export.urdf import urdf_of
 from ..sources.packages import PackageMap
 from ..sources.urdf_file import read_urdf
-from ..version import __version__
 from .gazebo_model import GazeboModel, gazebo_model
 from .joint_lines import NAMESPACE, joint_blanks, yaml_list
 from .joint_range import start_angles

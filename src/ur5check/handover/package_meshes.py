@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pathlib import Path, PurePosixPath
 
-from ..errors import ModelError
+from .._errors import ModelError
 from ..sources.packages import PackageMap
 from ..sources.xml_numbers import Element
 

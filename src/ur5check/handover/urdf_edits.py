@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from lxml import etree
 
-from ..arm import Transform
+from .._robot import Transform
 from ..engines.remedies import NO_LIMIT
 from ..export.numbers import exact, roll_pitch_yaw, triple
 from ..sources.urdf_chain import Chain

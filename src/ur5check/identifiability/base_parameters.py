@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = ["SAME_DIRECTION", "Decomposition", "decompose"]
 

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..comparison.pair import Pair
 from ..dynamics.newton_euler import rnea
 from ..dynamics.regressor import torque_regressor

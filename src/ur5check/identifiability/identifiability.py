@@ -24,10 +24,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm.inertia import PARAMETERS, parameter_map
-from ..arm.serial_arm import SerialArm
-from ..arm.states import random_states
-from ..arm.transforms import Array, frozen
+from .._robot.inertia import PARAMETERS, parameter_map
+from .._robot.serial_arm import SerialArm
+from .._robot.states import random_states
+from .._robot.transforms import Array, frozen
 from ..dynamics.regressor import torque_regressor
 from .base_parameters import SAME_DIRECTION, decompose
 

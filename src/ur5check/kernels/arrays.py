@@ -9,10 +9,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._errors import StateError, UsageError
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..dynamics.batching import joint_array
-from ..errors import StateError, UsageError
 
 __all__ = ["Layout", "as_states", "empty_result", "refuse_unless_finite"]
 

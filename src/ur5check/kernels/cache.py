@@ -14,7 +14,7 @@ import secrets
 from collections.abc import Callable
 from pathlib import Path
 
-from ..errors import UsageError
+from .._errors import UsageError
 
 __all__ = ["cache_folder", "kept"]
 

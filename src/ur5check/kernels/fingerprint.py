@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..version import __version__
+from .._robot.serial_arm import SerialArm
+from .._version import __version__
 
 __all__ = ["fingerprint"]
 

@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ..arm.serial_arm import SerialArm
+from .._errors import UsageError
+from .._robot.serial_arm import SerialArm
 from ..closed_form.program import Program, read_input, value_of
 from ..closed_form.trace import trace, trace_difference
-from ..errors import UsageError
 
 __all__ = ["jax_rnea", "jax_torque_difference"]
 

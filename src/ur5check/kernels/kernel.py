@@ -18,9 +18,9 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from .arrays import Layout, as_states, empty_result, refuse_unless_finite
 from .cache import kept
 from .fingerprint import fingerprint

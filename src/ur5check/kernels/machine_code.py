@@ -15,7 +15,7 @@ import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = ["ARRAYS", "BLOCK", "MachineCode", "machine_code", "processor"]
 

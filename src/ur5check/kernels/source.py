@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..closed_form.quantities import Quantity
 from ..closed_form.trace import trace, trace_difference
 from .numpy_source import numpy_source

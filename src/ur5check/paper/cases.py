@@ -11,7 +11,7 @@ from math import radians
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = ["CASES", "SWEEP", "Case", "case"]
 

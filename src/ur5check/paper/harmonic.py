@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = ["Harmonic", "fit_harmonic"]
 

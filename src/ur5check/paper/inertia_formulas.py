@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..diagnosis.cylinder import fit_cylinder
 from ..digits.cylinder_constant import CutTwelfth, cut_twelfths
 from ..digits.decimals import half_units

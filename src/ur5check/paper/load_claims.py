@@ -11,8 +11,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import SerialArm
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import SerialArm
 from ..dynamics.equations import gravity_torque
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence

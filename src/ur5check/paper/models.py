@@ -13,8 +13,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..comparison.pair import pair_up
 from ..dynamics.equations import gravity_torque
 from ..engines.engine import Engine

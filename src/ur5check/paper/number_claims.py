@@ -9,8 +9,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..digits.cylinder_constant import CutTwelfth, cut_twelfths
 from ..digits.decimals import half_units
 from .claim import Claim, ClaimOutcome, Trial, judged

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from .claim import Claim, ClaimOutcome, Verdict, overall
 from .claims import CLAIMS, ClaimFunction
 from .evidence import Evidence, Progress, gather

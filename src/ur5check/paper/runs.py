@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from .cases import SWEEP, Case
 from .harmonic import Harmonic, fit_harmonic
 from .models import Model

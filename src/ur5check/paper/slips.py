@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import random_states
+from .._robot.serial_arm import SerialArm
+from .._robot.states import random_states
 from ..comparison.pair import pair_up
 from ..diagnosis.diagnosis import Finding, diagnose
 from ..dynamics.equations import gravity_torque

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..dynamics.kinematics import link_frames
 
 __all__ = ["axes_in_space", "holding_torque", "nothing_to_hold"]

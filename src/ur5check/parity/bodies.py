@@ -15,9 +15,9 @@ from itertools import combinations
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 from ..comparison.shares import shares
 from ..dynamics.kinematics import link_frames
 from ..engines.holdings import Holdings

@@ -13,9 +13,9 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States, random_states
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States, random_states
+from .._robot.transforms import Array
 from ..dynamics.batching import gravity_of
 from ..dynamics.newton_euler import rnea
 from ..engines.habits import remedied

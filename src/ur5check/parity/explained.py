@@ -14,8 +14,8 @@ from itertools import product
 
 import numpy as np
 
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..dynamics.newton_euler import rnea
 from .import_difference import Kind
 from .imports import Import

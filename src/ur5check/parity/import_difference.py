@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 if TYPE_CHECKING:
     from ..engines.habit import Habit

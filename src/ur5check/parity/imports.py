@@ -13,9 +13,9 @@ from functools import cached_property
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..dynamics.equations import gravity_torque
 from ..dynamics.regressor import torque_regressor
 from ..engines.habits import habit_for

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.serial_arm import Joint, SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import Joint, SerialArm
+from .._robot.transforms import Array
 from ..engines.holdings import Holdings, strict_holdings
 from .import_difference import ImportDifference, Kind
 from .rounding import pose_rounding, same_number

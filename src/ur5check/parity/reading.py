@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._errors import EngineError
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..engines.engine import Engine
 from ..engines.registry import REGISTRY, engine_class, make_engine
-from ..errors import EngineError
 from .answers import Answers, ask
 from .explained import Belief, belief_of
 from .imports import Import, audit, priced

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 
 __all__ = [
     "parameter_rounding",

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.transforms import Array, Transform
 
 if TYPE_CHECKING:
     from lxml.etree import _Element

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
 from ..comparison.pair import pair_up
 from ..worst_case.worst_case import worst_cases
 

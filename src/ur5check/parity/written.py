@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array, Transform
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array, Transform
 from .import_difference import Kind
 from .rounding import tensor_rounding
 from .shapes import inertia_of_shapes

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Link
-from ..arm.transforms import Array
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Link
+from .._robot.transforms import Array
 from ..sources.meshes import Shape
 from .plausible_body import Plausibility, Severity
 

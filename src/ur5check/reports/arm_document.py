@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from ..arm.serial_arm import Joint, SerialArm
-from ..arm.transforms import Transform
+from .._robot.serial_arm import Joint, SerialArm
+from .._robot.transforms import Transform
 from ..comparison.alignment import SAME_ANGLE
 from ..comparison.story import base_in_words
 from .document import Column, Document, Row, Section, Table

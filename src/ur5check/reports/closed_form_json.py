@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..closed_form.derivation import Derivation
 from ..closed_form.program import Assignment, Operations
 from .json_head import json_head

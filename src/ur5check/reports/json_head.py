@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from .json_values import Report
 from .provenance import Provenance, inputs_of
 

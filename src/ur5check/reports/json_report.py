@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from .._robot.serial_arm import SerialArm
 from ..checks.check import Outcome
 from ..checks.story import tell as tell_validation
 from ..checks.validation import Validation
@@ -58,7 +58,7 @@ def difference_json(
 
 
 def arm_json(arm: SerialArm, *, command: str = "") -> Report:
-    """`show` as ur5check.arm/1."""
+    """`show` as ur5check._robot/1."""
     return strict(
         {
             **json_head("arm", [arm], command),

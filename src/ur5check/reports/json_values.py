@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arm.inertia import Inertia
-from ..arm.serial_arm import Joint, SerialArm
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Joint, SerialArm
 from ..comparison.alignment import Alignment
 
 __all__ = [

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from ..comparison.attribution import Attribution, Owner
 from ..comparison.difference import Difference
 from ..comparison.story import base_in_words

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from importlib import metadata
 from typing import TYPE_CHECKING
 
-from ..version import __version__
+from .._version import __version__
 
 if TYPE_CHECKING:
-    from ..arm.serial_arm import SerialArm
+    from .._robot.serial_arm import SerialArm
 
 __all__ = ["Provenance", "inputs_of", "library_versions"]
 

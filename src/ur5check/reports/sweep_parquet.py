@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import UsageError
+from .._errors import UsageError
 from ..sweeping.magnitudes import bin_edges
 from ..sweeping.parquet_log import import_parquet
 from ..sweeping.reach_map import HEIGHTS

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ..arm.serial_arm import Joint
-from ..arm.transforms import Array
+from .._robot.serial_arm import Joint
+from .._robot.transforms import Array
 
 __all__ = [
     "MISSING",

@@ -14,13 +14,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._errors import StateError
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..dynamics.batching import JointState, evaluate
 from ..dynamics.chain import chain_of
 from ..dynamics.newton_euler import joint_torques
 from ..dynamics.vectors import Scalar, Vector
-from ..errors import StateError
 
 __all__ = ["Acceleration", "acceleration_of"]
 

@@ -13,12 +13,12 @@ from typing import NoReturn, cast
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
+from .._errors import EngineError, UsageError
+from .._robot.serial_arm import SerialArm
 from ..engines.engine import Stepper
 from ..engines.habits import remedied
 from ..engines.holdings import moving_inertias
 from ..engines.registry import make_engine
-from ..errors import EngineError, UsageError
 from ..parity.imports import audit
 from ..parity.rounding import parameter_rounding
 

@@ -9,10 +9,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._errors import EngineError
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..engines.engine import Stepper
-from ..errors import EngineError
 from .acceleration import acceleration_of
 from .integration import WORKING, Precision, integrate
 from .motion import Motion

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.transforms import Array
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.transforms import Array
 
 __all__ = ["REFERENCE", "WORKING", "Precision", "Rate", "Stop", "integrate"]
 

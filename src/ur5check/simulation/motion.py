@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..dynamics.equations import kinetic_energy, potential_energy
 
 __all__ = ["EnergyBalance", "Motion", "energy_balance"]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..dynamics.equations import gravity_torque
 
 __all__ = ["Held", "Recomputed", "TorqueSource"]

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
-from ..errors import UsageError
+from .._errors import UsageError
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 
 __all__ = ["Travel", "travel_of"]
 

@@ -16,7 +16,7 @@ from functools import reduce
 from operator import add, matmul
 from typing import Literal, NoReturn, Protocol
 
-from ..arm import Inertia, Joint, Link, Transform
+from .._robot import Inertia, Joint, Link, Transform
 from .urdf_chain import Chain, Edge, Tree
 
 __all__ = ["Assembly", "Description", "assemble"]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Literal
 
-from ..errors import ModelError, UsageError
+from .._errors import ModelError, UsageError
 from .packages import example_robot_data, models_directory
 from .suggestions import did_you_mean
 

@@ -32,7 +32,8 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from ..arm import (
+from .._errors import ModelError
+from .._robot import (
     STANDARD_GRAVITY,
     DHRow,
     Inertia,
@@ -42,7 +43,6 @@ from ..arm import (
     Transform,
     arm_from_dh,
 )
-from ..errors import ModelError
 from .dh_values import Table
 from .physical import Place, check_inertia, printed_tensor
 from .printed import Printed

@@ -7,7 +7,7 @@ import re
 from collections.abc import Collection, Mapping
 from typing import Any, NoReturn
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .printed import Printed
 from .suggestions import did_you_mean
 from .toml_lines import line_of

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from ..arm.serial_arm import SerialArm
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot.serial_arm import SerialArm
 from .loading import load
 from .packages import example_robot_data
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
-from ..arm import SerialArm
-from ..errors import ModelError, UsageError
+from .._errors import ModelError, UsageError
+from .._robot import SerialArm
 from .catalog import CATALOG
 from .suggestions import did_you_mean
 

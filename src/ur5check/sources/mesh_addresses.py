@@ -6,7 +6,7 @@ from pathlib import Path
 
 from lxml import etree
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .packages import PackageMap
 
 __all__ = ["with_mesh_paths"]

@@ -13,9 +13,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ..arm import SerialArm, Transform
-from ..arm.transforms import Array
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot import SerialArm, Transform
+from .._robot.transforms import Array
 from .packages import PackageMap, default_packages
 from .urdf_robot import Robot
 from .urdf_strict import check_urdf

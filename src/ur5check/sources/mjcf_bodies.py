@@ -17,9 +17,9 @@ from typing import Any, Literal, NoReturn
 
 import numpy as np
 
-from ..arm import Inertia, Joint, Limits, Transform
-from ..arm.transforms import Array
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot import Inertia, Joint, Limits, Transform
+from .._robot.transforms import Array
 from .mjcf_text import MjcfText
 from .urdf_chain import Edge, Tree
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .mjcf_bodies import Bodies
 from .mjcf_text import MjcfText
 from .urdf_chain import Chain

@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arm import SerialArm, Source, Transform
-from ..arm.transforms import Array
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot import SerialArm, Source, Transform
+from .._robot.transforms import Array
 from .assembly import assemble
 from .mjcf_bodies import WORLD, Bodies, name_all
 from .mjcf_coupling import Motor, couplings, motors, refuse_couplings

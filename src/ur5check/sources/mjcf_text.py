@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from lxml import etree
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .physical import Place, check_inertia, printed_tensor
 from .xml_numbers import Element, ElementReader
 from .xml_places import Places

@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arm.transforms import Array
-from ..errors import StateError, UsageError
+from .._errors import StateError, UsageError
+from .._robot.transforms import Array
 
 __all__ = ["NumberColumns", "read_columns"]
 

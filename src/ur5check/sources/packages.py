@@ -20,7 +20,7 @@ from pathlib import Path
 from types import MappingProxyType
 from urllib.parse import unquote, urlsplit
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .suggestions import did_you_mean
 
 __all__ = ["PackageMap", "default_packages", "example_robot_data", "models_directory"]

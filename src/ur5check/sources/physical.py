@@ -16,8 +16,8 @@ from typing import Literal
 
 import numpy as np
 
-from ..arm.transforms import Array
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot.transforms import Array
 
 __all__ = ["Flaw", "Place", "check_inertia", "find_flaw", "printed_tensor"]
 

@@ -13,9 +13,9 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from ..arm import Inertia, Joint, Limits, Link, SerialArm, Source, Transform
-from ..arm.transforms import Array
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot import Inertia, Joint, Limits, Link, SerialArm, Source, Transform
+from .._robot.transforms import Array
 from .physical import Place, check_inertia
 from .suggestions import did_you_mean
 

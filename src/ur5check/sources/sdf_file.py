@@ -11,8 +11,8 @@ from typing import Any, Literal, NoReturn
 
 import numpy as np
 
-from ..arm import Inertia, Joint, Limits, SerialArm, Source, Transform
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot import Inertia, Joint, Limits, SerialArm, Source, Transform
 from .assembly import assemble
 from .sdf_text import SdfText
 from .urdf_chain import Edge, Tree

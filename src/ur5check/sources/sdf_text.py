@@ -15,8 +15,8 @@ from typing import NoReturn
 import numpy as np
 from lxml import etree
 
-from ..arm import STANDARD_GRAVITY, Inertia, Transform
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot import STANDARD_GRAVITY, Inertia, Transform
 from .physical import Place, check_inertia, printed_tensor
 from .printed import Printed
 from .xml_numbers import Element, ElementReader

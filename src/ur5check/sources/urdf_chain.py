@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NoReturn
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .suggestions import did_you_mean
 
 __all__ = ["Chain", "Edge", "Tree"]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 
-from ..arm import SerialArm, Source
+from .._robot import SerialArm, Source
 from .assembly import assemble
 from .urdf_chain import Edge
 from .urdf_robot import Robot

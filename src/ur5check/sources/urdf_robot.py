@@ -8,8 +8,8 @@ from typing import Any, Literal, NoReturn
 import numpy as np
 from lxml import etree
 
-from ..arm import Inertia, Joint, Limits, Transform
-from ..errors import ModelError
+from .._errors import ModelError
+from .._robot import Inertia, Joint, Limits, Transform
 from .urdf_chain import Edge, Tree
 from .xml_numbers import Element, ElementReader
 

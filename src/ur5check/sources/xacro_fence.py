@@ -22,7 +22,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
-from ..errors import ModelError
+from .._errors import ModelError
 
 __all__ = ["check_expression", "limit_resources", "raise_fence"]
 

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import escape
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .packages import PackageMap
 
 __all__ = ["Expansion", "expand_xacro"]

@@ -24,7 +24,7 @@ from typing import Any, NoReturn
 import xacro
 from xacro import substitution_args
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .suggestions import did_you_mean
 from .xacro_fence import check_expression, limit_resources, raise_fence
 from .xml_text import checked_xml

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
-from ..errors import ModelError
+from .._errors import ModelError
 from .printed import Printed, plain_number
 
 __all__ = ["Element", "ElementReader"]

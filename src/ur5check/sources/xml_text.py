@@ -11,7 +11,7 @@ import re
 
 from lxml import etree
 
-from ..errors import ModelError
+from .._errors import ModelError
 
 __all__ = ["checked_xml"]
 

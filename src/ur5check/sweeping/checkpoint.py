@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .plan import Plan
 from .tally import Tally
 from .whole_file import write_whole

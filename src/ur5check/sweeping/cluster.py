@@ -19,8 +19,8 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import UsageError
-from ..version import __version__
+from .._errors import UsageError
+from .._version import __version__
 from .crew import Crew, Span, fair, in_order, spans
 from .plan import Plan
 from .tally import Tally, merged

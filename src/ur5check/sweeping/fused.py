@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from .magnitudes import BINS, FIRST, HIGHEST, LOWEST, SHIFT, Counts
 from .philox import KEY_STEPS, MULTIPLIERS, ROUNDS
 from .rows import RowTally

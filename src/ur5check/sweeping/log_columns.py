@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
-from ..arm.transforms import Array
-from ..errors import StateError
+from .._errors import StateError
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
 
 __all__ = ["PARTS", "state_columns", "states_of"]
 

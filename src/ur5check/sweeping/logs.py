@@ -5,8 +5,8 @@ from __future__ import annotations
 from os import PathLike
 from pathlib import Path
 
-from ..arm.serial_arm import SerialArm
-from ..errors import StateError
+from .._errors import StateError
+from .._robot.serial_arm import SerialArm
 from .csv_log import CsvLog, open_csv
 from .parquet_log import ParquetLog, open_parquet
 

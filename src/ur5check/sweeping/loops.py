@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from . import rows
 from .rows import RowTally
 

@@ -19,7 +19,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 
 __all__ = [
     "BINS",

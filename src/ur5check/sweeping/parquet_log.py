@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arm.serial_arm import SerialArm
-from ..arm.states import States
-from ..arm.transforms import Array
-from ..errors import StateError, UsageError
+from .._errors import StateError, UsageError
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
 from .log_columns import state_columns, states_of
 from .sample import BLOCK
 

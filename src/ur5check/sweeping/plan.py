@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..arm.serial_arm import SerialArm, Source
-from ..arm.transforms import Array
+from .._errors import UsageError
+from .._robot.serial_arm import SerialArm, Source
+from .._robot.transforms import Array
+from .._version import __version__
 from ..comparison.pair import Pair
-from ..errors import UsageError
-from ..version import __version__
 from ..worst_case.state_box import state_box
 from .reach_map import ReachGrid, reach_grid, tool_position
 from .sample import BLOCK, Sample, blocks_of, box_value

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.serial_arm import SerialArm
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
 from ..dynamics.batching import JointState, evaluate
 from ..dynamics.chain import chain_of
 from ..dynamics.vectors import ZERO, Scalar, Vector

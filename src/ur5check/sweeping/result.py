@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from ..comparison.difference import SAME_TORQUE
 from ..comparison.pair import Pair
 from ..worst_case.state_box import effort_limits

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.transforms import Array
+from .._robot.transforms import Array
 from .magnitudes import Counts, count_sizes
 from .philox import random_words
 

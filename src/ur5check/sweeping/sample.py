@@ -12,8 +12,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.states import States
-from ..arm.transforms import Array
+from .._robot.states import States
+from .._robot.transforms import Array
 from ..worst_case.state_box import StateBox
 from .loops import drawn
 from .rows import placed

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.states import States
+from .._robot.states import States
 from ..worst_case.state_box import StateBox
 from .sample import BLOCK, box_value, in_box
 

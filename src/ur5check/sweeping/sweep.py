@@ -17,12 +17,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
-from ..arm.transforms import Array
+from .._errors import UsageError
+from .._robot.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
+from .._robot.transforms import Array
 from ..comparison.difference import under_gravity
 from ..comparison.pair import Pair, pair_up
 from ..dynamics.newton_euler import rnea
-from ..errors import UsageError
 from ..sources.loading import ArmSource, load
 from ..worst_case.state_box import StateBox, state_box
 from .checkpoint import load as load_checkpoint

@@ -14,9 +14,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm.states import States
-from ..arm.transforms import Array
-from ..errors import StateError
+from .._errors import StateError
+from .._robot.states import States
+from .._robot.transforms import Array
 from .exact import exact
 from .loops import row_tally
 from .magnitudes import BINS, Counts

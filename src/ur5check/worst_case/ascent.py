@@ -18,8 +18,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import Bounds, minimize
 
-from ..arm.serial_arm import SerialArm, Source
-from ..arm.transforms import Array
+from .._robot.serial_arm import SerialArm, Source
+from .._robot.transforms import Array
 from ..comparison.pair import Pair
 from ..engines.pinocchio import PinocchioEngine
 

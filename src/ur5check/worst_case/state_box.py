@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm.states import MAX_ANGLE, MAX_RATE, States
-from ..arm.transforms import Array
+from .._robot.states import MAX_ANGLE, MAX_RATE, States
+from .._robot.transforms import Array
 from ..comparison.pair import Pair
 
 __all__ = ["StateBox", "effort_limits", "state_box"]

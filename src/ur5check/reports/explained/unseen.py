@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...arm.inertia import PARAMETERS
+from ..._robot.inertia import PARAMETERS
 from ...explanation.explanation import Explanation
 from ...identifiability.identifiability import Identifiability, Label
 from ..document import Column, Row, Section, Table

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...arm.serial_arm import Joint
+from ..._robot.serial_arm import Joint
 from ...explanation.explanation import Explanation
 from ...worst_case.worst_case import WorstCase
 from ..document import Column, Row, Section, Table

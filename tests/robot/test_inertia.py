@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 
 from ur5check import strategies
-from ur5check.arm import Inertia, parameter_map
+from ur5check._robot import Inertia, parameter_map
 
 
 def same(a: Inertia, b: Inertia) -> None:

@@ -5,9 +5,9 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check.arm import Joint, SerialArm
-from ur5check.arm.states import random_states
-from ur5check.errors import UsageError
+from ur5check._errors import UsageError
+from ur5check._robot import Joint, SerialArm
+from ur5check._robot.states import random_states
 
 
 def test_an_axis_is_made_a_unit_vector_and_a_unit_vector_is_left_alone():

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..errors import UsageError
+from .._errors import UsageError
 from .transforms import Array
 
 __all__ = ["MAX_ACCELERATION", "MAX_ANGLE", "MAX_RATE", "States", "random_states"]

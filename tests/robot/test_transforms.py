@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 
 from ur5check import strategies
-from ur5check.arm import Transform
-from ur5check.arm.transforms import cos_sin, skew
+from ur5check._robot import Transform
+from ur5check._robot.transforms import cos_sin, skew
 
 
 @given(strategies.transforms(), strategies.transforms())

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import ur5check
-from ur5check.arm import DHRow, Inertia, arm_from_dh
-from ur5check.arm.states import random_states
+from ur5check._robot import DHRow, Inertia, arm_from_dh
+from ur5check._robot.states import random_states
 
 TABLE = [
     (0.1, 0.2, 0.3, 0.4),
