@@ -29,15 +29,27 @@ ENGINES = {
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))
 
 
-def package_of(file: str) -> str:
-    """The folder that a file stands in; a file at the top is a package of its own.
+#: Folders inside a folder that are packages of their own: what they import, their parent must not.
+INNER = {
+    "_comparison/diagnosis",
+    "_comparison/identifiability",
+    "_comparison/rounding",
+    "_comparison/worst_case",
+    "_dynamics/compiled",
+    "_dynamics/symbolic",
+    "_engines/audit",
+    "_io/gazebo",
+    "_paper/figures",
+    "_simulation/control",
+}
 
-    Sections of a report and the documents that they are put into are one package.
-    """
+
+def package_of(file: str) -> str:
+    """The folder at the top that a file stands in, or the folder inside one that is listed."""
     folder = Path(file).parent.as_posix()
-    if folder.split("/")[0].endswith("reports"):
-        return folder.split("/")[0]
-    return file.removesuffix(".py") if folder == "." else folder
+    if folder in INNER:
+        return folder
+    return file.split("/")[0].removesuffix(".py")
 
 
 def imports(file: str) -> list[tuple[str, bool]]:
