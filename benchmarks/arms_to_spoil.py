@@ -9,9 +9,9 @@ import numpy as np
 from mutations import Written, with_written, written
 from numpy.typing import NDArray
 
+from ur5check._io.loading import load
+from ur5check._io.ros_packages import example_robot_data
 from ur5check._robot import DHRow, Inertia, Joint, Link, SerialArm, Transform, arm_from_dh
-from ur5check.sources.loading import load
-from ur5check.sources.packages import example_robot_data
 
 __all__ = ["ARMS", "arm_called", "with_noise"]
 

@@ -17,11 +17,11 @@ ROOT = Path(ur5check.__file__).parent
 ENGINES = {
     "pinocchio": {
         "engines/pinocchio.py",
-        "sources/pinocchio_model.py",
+        "_io/pinocchio_model.py",
         "benchmarking/pinocchio_calls.py",
     },
-    "mujoco": {"engines/mujoco.py", "sources/mjcf_file.py"},
-    "pydrake": {"engines/drake.py", "sources/sdf_file.py"},
+    "mujoco": {"engines/mujoco.py", "_io/mjcf/mjcf_reader.py"},
+    "pydrake": {"engines/drake.py", "_io/sdf/sdf_reader.py"},
     "dartpy": {"engines/dart.py"},
     "idyntree": {"engines/idyntree.py"},
 }

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from ._version import __version__
 
 if TYPE_CHECKING:
+    from ._io.loading import load
     from ._robot.serial_arm import SerialArm
     from .checks.validation import validate
     from .comparison.difference import diff
@@ -32,7 +33,6 @@ if TYPE_CHECKING:
     from .explanation.explanation import explain
     from .kernels.kernel import compile  # noqa: A004 - the word for it
     from .parity.comparison import compare_engines
-    from .sources.loading import load
     from .sweeping.sweep import sweep
 
 _HOMES = {
@@ -46,7 +46,7 @@ _HOMES = {
     "forward_kinematics": ".dynamics.kinematics",
     "gravity_torque": ".dynamics.equations",
     "kinetic_energy": ".dynamics.equations",
-    "load": ".sources.loading",
+    "load": "._io.loading",
     "mass_matrix": ".dynamics.equations",
     "potential_energy": ".dynamics.equations",
     "rnea": ".dynamics.newton_euler",

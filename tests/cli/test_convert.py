@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import ur5check as library
+from ur5check._io.shipped_models import CATALOG
 from ur5check._robot.states import random_states
-from ur5check.sources.catalog import CATALOG
 
 if TYPE_CHECKING:
     from .conftest import Command

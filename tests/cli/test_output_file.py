@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from ur5check._errors import UsageError
+from ur5check._io.shipped_models import CATALOG
 from ur5check.cli.output import emit
-from ur5check.sources.catalog import CATALOG
 
 if TYPE_CHECKING:
     from .conftest import Command

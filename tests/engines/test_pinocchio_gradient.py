@@ -66,7 +66,7 @@ def test_last_part_is_the_mass_matrix_and_one_state_needs_no_list():
 
 def test_continuous_joint_is_differentiated_by_its_angle(tmp_path):
     """Pinocchio holds such a joint as (cos q, sin q)."""
-    from ur5check.export.urdf import urdf_of
+    from ur5check._io.urdf.urdf_writer import urdf_of
 
     arm = random_arm(3, seed=8, prismatic=False)
     file = tmp_path / "continuous.urdf"

@@ -8,9 +8,9 @@ from math import pi
 
 import pytest
 
-from ur5check.sources.catalog import CATALOG
-from ur5check.sources.packages import default_packages
-from ur5check.sources.xacro_file import Expansion, expand_xacro
+from ur5check._io.ros_packages import default_packages
+from ur5check._io.shipped_models import CATALOG
+from ur5check._io.xacro.xacro_reader import Expansion, expand_xacro
 
 Element = ElementTree.Element
 

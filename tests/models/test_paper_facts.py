@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from ur5check.sources.catalog import CATALOG
+from ur5check._io.shipped_models import CATALOG
 
 JOINTS = ["base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"]
 LINKS = [f"link {i}" for i in range(1, 7)]

@@ -76,7 +76,7 @@ def test_a_folder_that_cannot_be_is_refused_before_any_work(
 
 
 def test_a_report_never_overwrites_a_model(capsys: pytest.CaptureFixture[str]) -> None:
-    from ur5check.sources.catalog import lookup
+    from ur5check._io.shipped_models import lookup
 
     model = lookup("paper").path()
     before = model.read_bytes()

@@ -8,9 +8,9 @@ import planted_engines
 import pytest
 from three_joints import ARM
 
+from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._robot import SerialArm
 from ur5check.engines.registry import REGISTRY, EngineEntry
-from ur5check.sources.urdf_file import read_urdf
 
 
 @pytest.fixture(scope="session")

@@ -17,6 +17,8 @@ from three_joints import ARM
 
 import ur5check
 from repository import REPOSITORY
+from ur5check._io.example_robots import FLEET
+from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check.cli.main import main
 from ur5check.engines.registry import installed
 from ur5check.parity import fleet as fleet_module
@@ -25,8 +27,6 @@ from ur5check.parity.fleet import FLEET_SAMPLES, compare_fleet
 from ur5check.reports.fleet_document import fleet_document
 from ur5check.reports.markdown import render_markdown
 from ur5check.reports.parity_json import fleet_json
-from ur5check.sources.fleet import FLEET
-from ur5check.sources.urdf_file import read_urdf
 
 DOCS = REPOSITORY / "docs"
 PAGE = (DOCS / "engines.md").read_text(encoding="utf-8")

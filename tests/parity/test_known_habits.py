@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from three_joints import ARM
 
+from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check.parity.comparison import SAME_ROBOT, compare_engines
-from ur5check.sources.urdf_file import read_urdf
 
 #: Per engine: what it is found to do that bears on torque (kind, place, kilograms), and its habit.
 HABITS = {

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
+from .._io.loading import load
+from .._io.urdf.urdf_writer import urdf_of
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import Joint, Link, SerialArm
 from .._robot.states import States, random_states
 from .._robot.transforms import Array, Transform
-from ..export.urdf import urdf_of
-from ..sources.loading import load
 from .pinocchio_calls import PinocchioCalls
 from .result import Chapter, Comparison
 from .timing import Contestant, race

@@ -67,14 +67,14 @@ def _format(to: str | None, output: str | None) -> str:
 
 def _written(arm: SerialArm, form: str) -> str:
     if form == "mjcf":
-        from ..export.mjcf import mjcf_of
+        from .._io.mjcf.mjcf_writer import mjcf_of
 
         return mjcf_of(arm)
     if form == "dh":
-        from ..export.dh_toml import dh_toml_of
+        from .._io.dh.dh_writer import dh_toml_of
 
         return dh_toml_of(arm)
-    from ..export.urdf import urdf_of
+    from .._io.urdf.urdf_writer import urdf_of
 
     return urdf_of(arm)
 
@@ -82,9 +82,9 @@ def _written(arm: SerialArm, form: str) -> str:
 def _left_out(arm: SerialArm, form: str) -> list[str]:
     """What the format cannot carry, as its writer says in the file's own comments."""
     if form == "mjcf":
-        from ..export.mjcf import not_said
+        from .._io.mjcf.mjcf_writer import not_said
     elif form == "urdf":
-        from ..export.urdf import not_said
+        from .._io.urdf.urdf_writer import not_said
     else:
         return []
     return not_said(arm)

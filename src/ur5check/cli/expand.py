@@ -34,9 +34,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Expand and print."""
-    from ..sources.catalog import CATALOG
-    from ..sources.packages import default_packages
-    from ..sources.xacro_file import expand_xacro
+    from .._io.ros_packages import default_packages
+    from .._io.shipped_models import CATALOG
+    from .._io.xacro.xacro_reader import expand_xacro
     from .inputs import input_files
 
     arguments = name_value_pairs(args.arg, "--arg", ":=")
@@ -67,10 +67,10 @@ def run(args: argparse.Namespace) -> int:
 
 def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[str, str]) -> str:
     """The text that the engine reads rightly; says what was changed, and for which habit."""
+    from .._io.meshes.mesh_paths import with_mesh_paths
+    from .._io.ros_packages import default_packages
+    from .._io.urdf.urdf_checks import check_urdf
     from ..engines.habits import remedied_text
-    from ..sources.mesh_addresses import with_mesh_paths
-    from ..sources.packages import default_packages
-    from ..sources.urdf_strict import check_urdf
 
     check_urdf(text.encode(), args.file)
     text, mended = remedied_text(text, args.reader)
@@ -85,7 +85,7 @@ def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[s
 
 
 def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:
-    from ..sources.xml_text import checked_xml
+    from .._io.xml.safe_xml import checked_xml
 
     if arguments:
         raise UsageError(f"--arg has no meaning for {name}: it is a URDF, not a xacro")
@@ -97,8 +97,8 @@ def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:
 
 
 def _not_a_xacro(name: str, kind: str) -> str:
-    from ..sources.catalog import CATALOG
-    from ..sources.suggestions import did_you_mean
+    from .._io.shipped_models import CATALOG
+    from .._io.suggestions import did_you_mean
 
     if kind in ("dh", "toml"):
         return (

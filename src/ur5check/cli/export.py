@@ -10,8 +10,8 @@ from .._errors import UsageError
 from .options import MODELS, ModelOptions, add_model_options, progress
 
 if TYPE_CHECKING:
+    from .._io.gazebo.gazebo_package import GazeboHandover, Ros
     from .._robot.transforms import Array
-    from ..handover.package import GazeboHandover, Ros
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -46,11 +46,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Write the packages; say where they are and what torque they publish."""
-    from ..handover.folder import check_folder, write_folder
-    from ..handover.package import gazebo_handover
+    from .._io.gazebo.gazebo_package import gazebo_handover
+    from .._io.gazebo.package_folder import check_folder, write_folder
+    from .._io.ros_packages import default_packages
+    from .._io.shipped_models import CATALOG
     from ..paper.cases import case
-    from ..sources.catalog import CATALOG
-    from ..sources.packages import default_packages
     from .output import emit
 
     check_folder(args.folder)

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from .._errors import ModelError
-from ..sources.catalog import CATALOG
-from ..sources.packages import default_packages
+from .._io.ros_packages import default_packages
+from .._io.shipped_models import CATALOG
 
 __all__ = ["input_files"]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from .._io.urdf.urdf_writer import urdf_of
 from ..diagnosis.diagnosis import Diagnosis, Finding
 from ..explanation.explanation import Explanation
-from ..export.urdf import urdf_of
 from .output import emit
 
 __all__ = ["mend"]

@@ -133,7 +133,7 @@ class ModelOptions:
 
     def load(self, *, quiet: bool) -> list[SerialArm]:
         """Every arm, in order."""
-        from ..sources.loading import load
+        from .._io.loading import load
 
         arms = []
         for model, (base, tip) in zip(self.models, self.ends, strict=True):
@@ -197,7 +197,7 @@ def progress(quiet: bool, line: str) -> None:
 
 
 def _is_xacro(model: str) -> bool:
-    from ..sources.catalog import CATALOG
+    from .._io.shipped_models import CATALOG
 
     if model in CATALOG:
         return CATALOG[model].kind == "xacro"

@@ -82,7 +82,7 @@ def _name(case: int) -> str:
 
 
 def _inputs() -> list[Path]:
-    from ..sources.catalog import CATALOG
+    from .._io.shipped_models import CATALOG
 
     return [entry.path() for entry in CATALOG.values()]
 

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._errors import StateError
+from .._io.numeric_columns import NumberColumns, read_columns
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..sources.number_columns import NumberColumns, read_columns
 from .trajectory import Reference
 
 __all__ = ["Sampled", "read_trajectory"]

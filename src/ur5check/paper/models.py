@@ -13,12 +13,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from .._io.loading import load
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from ..comparison.pair import pair_up
 from ..dynamics.equations import gravity_torque
 from ..engines.engine import Engine
-from ..sources.loading import load
 
 __all__ = ["PINOCCHIO", "PRINTED", "REPAIRED", "Form", "Model", "load_models", "referee_model"]
 

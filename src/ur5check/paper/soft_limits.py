@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from lxml import etree
 
-from ..sources.catalog import lookup
-from ..sources.packages import default_packages
-from ..sources.xacro_file import expand_xacro
+from .._io.ros_packages import default_packages
+from .._io.shipped_models import lookup
+from .._io.xacro.xacro_reader import expand_xacro
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .models import Form

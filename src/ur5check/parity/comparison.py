@@ -13,6 +13,7 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
+from .._io.loading import ArmSource, load
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
 from .._robot.transforms import Array
@@ -20,7 +21,6 @@ from ..dynamics.batching import gravity_of
 from ..dynamics.newton_euler import rnea
 from ..engines.habits import remedied
 from ..engines.registry import REGISTRY, engine_class, installed
-from ..sources.loading import ArmSource, load
 from .matrix import Matrix, matrix_of
 from .reading import Reading, asked, read_by
 from .worst import join_states, worst_state

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from ..sources.fleet import FLEET, FleetArm
+from .._io.example_robots import FLEET, FleetArm
 from .comparison import EngineReport, compare_engines
 
 __all__ = ["FLEET_SAMPLES", "FleetReport", "compare_fleet"]

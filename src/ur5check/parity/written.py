@@ -73,8 +73,8 @@ def written_arm(arm: SerialArm) -> WrittenArm:
     """What the arm's source writes, link by link."""
     if arm.source.urdf is None:
         return _of_values(arm)
-    from ..sources.urdf_robot import Robot
-    from ..sources.urdf_strict import check_urdf
+    from .._io.urdf.urdf_checks import check_urdf
+    from .._io.urdf.urdf_values import Robot
 
     root = check_urdf(arm.source.urdf.encode(), arm.name)
     robot = Robot(root, arm.name)

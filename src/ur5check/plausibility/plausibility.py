@@ -17,8 +17,8 @@ Without a mesh there is only the reach of a link, from joint to joint, and the w
 
 from __future__ import annotations
 
+from .._io.meshes.mesh_shapes import Meshes, link_meshes
 from .._robot.serial_arm import SerialArm
-from ..sources.meshes import Meshes, link_meshes
 from .plausible_body import Plausibility, body_findings
 from .plausible_extent import extent_findings
 from .plausible_reach import reach_findings, whole_findings

@@ -1,0 +1,143 @@
+"""A chain of joints and what hangs on it, from any tree of bodies, to the parts of a `SerialArm`.
+
+The chain from base to tip is bracketed as
+
+    B · J1(q1) · P1 · … · Jn(qn) · Pn,
+
+B and every P_i being products of fixed poses.  What is fixed to a moving link is welded to it.
+URDF, MJCF and SDF differ in how a file says where things stand and what they weigh (`Description`);
+what becomes of it is the same, and is here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+from operator import add, matmul
+from typing import Literal, NoReturn, Protocol
+
+from .._robot import Inertia, Joint, Link, Transform
+from .urdf.urdf_chain import Chain, Edge, Tree
+
+__all__ = ["Assembly", "Description", "assemble"]
+
+
+class Description(Protocol):
+    """What a format's reader must answer.
+
+    A joint's motion stands between two poses: T_parent→child(q) = joint_origin · J(q) · carried.
+    """
+
+    @property
+    def tree(self) -> Tree:
+        """All links and joints."""
+
+    def joint(self, edge: Edge) -> Joint:
+        """The joint itself; raises ModelError where it is not one angle or one length."""
+
+    def joint_origin(self, edge: Edge) -> Transform:
+        """Pose of the joint's frame in the parent's."""
+
+    def carried(self, edge: Edge) -> Transform:
+        """Pose of the child's frame seen from the joint's moving side."""
+
+    def held_pose(self, edge: Edge, moving: frozenset[str]) -> Transform:
+        """Pose of the child in the parent, of a joint that is fixed or held still because it is
+        not among the chain's `moving` ones."""
+
+    def inertia(self, link: str) -> Inertia | None:
+        """A link's own inertia, in the link's frame; None where the file gives none."""
+
+    def fail(
+        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, remedy: str
+    ) -> NoReturn:
+        """Raise ModelError at a link or joint; part : " inertial/mass", or ""."""
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """The parts of a `SerialArm`; notes : what a reader of a report should know of them."""
+
+    base: Transform
+    joints: tuple[Joint, ...]
+    links: tuple[Link, ...]
+    notes: tuple[str, ...]
+
+
+def assemble(description: Description, chain: Chain) -> Assembly:
+    """The arm along `chain`.  Raises ModelError for a joint or a link that no arm can have."""
+    joints = tuple(description.joint(edge) for edge in chain.moving)
+    base, far_ends = _brackets(description, chain)
+    notes = list(chain.notes)
+    links = tuple(
+        _moving_link(description, edge, far_end, chain, notes)
+        for edge, far_end in zip(chain.moving, far_ends, strict=True)
+    )
+    return Assembly(base, joints, links, tuple(notes))
+
+
+def _brackets(description: Description, chain: Chain) -> tuple[Transform, list[Transform]]:
+    """B, and P_1 … P_n."""
+    moving = frozenset(edge.joint for edge in chain.moving)
+    gathered = Transform.identity()
+    for edge in chain.climbed:
+        gathered = gathered @ description.held_pose(edge, moving).inverse()
+    pieces = []
+    for edge in chain.descended:
+        if edge.moves:
+            pieces.append(gathered @ description.joint_origin(edge))
+            gathered = description.carried(edge)
+        else:
+            gathered = gathered @ description.held_pose(edge, moving)
+    return pieces[0], [*pieces[1:], gathered]
+
+
+def _moving_link(
+    description: Description, edge: Edge, far_end: Transform, chain: Chain, notes: list[str]
+) -> Link:
+    """The link that `edge` moves with all that moves with it, in the frame at its far end."""
+    name = edge.child
+    moving = frozenset(other.joint for other in chain.moving)
+    parts, welded, held, has_extent = [], [], [], False
+    for way in description.tree.rigid_group(name, chain):
+        member = way[-1].child if way else name
+        poses = (description.held_pose(other, moving) for other in way)
+        pose = reduce(matmul, poses, Transform.identity())
+        own = description.inertia(member)
+        if own is not None:
+            parts.append(own.expressed_in(pose))
+            has_extent = has_extent or bool(own.tensor.any())
+            if way and own.mass > 0.0:
+                welded.append((member, parts[-1]))
+        if way and way[-1].moves:
+            held.append(way[-1].joint)
+    if not parts:
+        problem = "moves, but neither it nor anything fixed to it has an <inertial>"
+        remedy = "give it one, or choose base= and tip= so that it is no part of the arm"
+        description.fail("link", name, "", problem, remedy)
+    total = reduce(add, parts)
+    if total.mass == 0.0 and edge is chain.moving[-1]:
+        problem = "mass zero on a moving tip: no torque would move it, so its motion is free"
+        remedy = "give it a mass, or choose a tip= before it"
+        description.fail("link", name, " inertial/mass", problem, remedy)
+    if total.mass > 0.0 and not has_extent:
+        problem = "moves, but its inertia tensor is zero: not positive definite"
+        description.fail("link", name, " inertial/inertia", problem, "give the tensor of its mass")
+    if total.mass == 0.0:
+        notes.append(f"moving link {name!r} has mass zero")
+    if welded:
+        notes.append(f"merged into {name!r}: {_listed([member for member, _ in welded])}")
+    if held:
+        notes.append(f"held still, being outside the arm: {_listed(held)}")
+    to_far_end = far_end.inverse() @ description.carried(edge)
+    return Link(
+        name,
+        far_end,
+        total.expressed_in(to_far_end),
+        to_far_end,
+        tuple((member, inertia.expressed_in(to_far_end)) for member, inertia in welded),
+    )
+
+
+def _listed(names: list[str]) -> str:
+    return ", ".join(map(repr, names))

@@ -1,0 +1,113 @@
+"""A URDF made fit for Gazebo, and the same with limited joints.
+
+What Gazebo would do with the file as it is, and what is done about it:
+
+- its base would fall over: the root is fixed to a link named `world`, which Gazebo knows;
+- joints outside the arm would swing: they are fixed where ur5check holds them still;
+- a base without mass would be dropped with the whole arm: it is given some, which nobody feels;
+- "no limit", written as the largest double, would be out of range: it is written as SDFormat does;
+- two control plugins would fight: transmissions and control plugins are left out, the package
+  brings its own;
+- a moving link without mass would be dropped, and all that hangs on it: it is refused.
+
+Fixed joints stay: Gazebo's reader lumps them into the link above, as ur5check does.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass
+from functools import reduce
+from operator import matmul
+from pathlib import Path
+
+from lxml import etree
+
+from ..._errors import ModelError
+from ..._robot import SerialArm, Transform
+from ..._robot.transforms import Array
+from ...engines.habits import habits_of
+from ..ros_packages import PackageMap
+from ..urdf.urdf_chain import Chain
+from ..urdf.urdf_checks import check_urdf
+from ..urdf.urdf_values import Robot
+from ..xml.xml_numbers import Element
+from .package_meshes import take_meshes
+from .urdf_edits import (
+    hold_still,
+    leave_out_control,
+    limit_turns,
+)
+
+__all__ = ["GazeboModel", "gazebo_model"]
+
+
+@dataclass(frozen=True, eq=False)
+class GazeboModel:
+    """urdf, limited : `<robot>` elements as text, without a header
+    meshes : files to copy, by their path inside the package
+    gravity : of the arm, in the world's frame, shape (3,) [m/s²]
+    notes : what was changed, in sentences
+    """
+
+    urdf: str
+    limited: str
+    meshes: dict[str, Path]
+    gravity: Array
+    notes: tuple[str, ...]
+
+
+def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: str) -> GazeboModel:
+    """The model of an arm that came from a URDF's text.
+
+    package : name of the ROS package that will hold it;  packages : where its meshes are found
+    file : what errors call the text; relative mesh names are seen from its folder
+
+    Raises ModelError for a moving link without mass.
+    """
+    assert arm.source.urdf is not None  # noqa: S101 - the caller's duty, not the user's
+    root = check_urdf(arm.source.urdf.encode("utf-8"), file)
+    robot = Robot(root, file)
+    chain = robot.tree.chain(arm.source.base, arm.source.tip)
+    _refuse_massless(arm, file)
+    notes = [*leave_out_control(root), *hold_still(root, robot, chain)]
+    for habit in habits_of("gazebo"):
+        if habit.applied(root):
+            notes.append(f"Gazebo: {habit.title}; {habit.remedy}.")
+    meshes, unread = take_meshes(root, package=package, packages=packages, folder=Path(file).parent)
+    limited = copy.deepcopy(root)
+    limit_turns(limited, chain)
+    R_world_base = _held_way(robot, chain).R
+    return GazeboModel(
+        _text(root), _text(limited), meshes, R_world_base @ arm.gravity, (*notes, *unread)
+    )
+
+
+def _refuse_massless(arm: SerialArm, file: str) -> None:
+    for link in arm.links:
+        if link.inertia.mass == 0.0:
+            raise ModelError(
+                "moves and has mass zero: Gazebo drops such a link and all that hangs on it",
+                remedy="give it a small mass and inertia",
+                file=file,
+                element=f"link {link.name!r}",
+            )
+
+
+def _held_way(robot: Robot, chain: Chain) -> Transform:
+    """T_world_base, all joints outside the arm held still."""
+    moving = frozenset(edge.joint for edge in chain.moving)
+    poses: list[Transform] = []
+    link = chain.base
+    while link in robot.tree.above:
+        edge = robot.tree.above[link]
+        poses.insert(0, robot.held_pose(edge, moving))
+        link = edge.parent
+    return reduce(matmul, poses, Transform.identity())
+
+
+def _text(root: Element) -> str:
+    tidy = copy.deepcopy(root)
+    etree.cleanup_namespaces(tidy)
+    etree.indent(tidy)
+    return str(etree.tostring(tidy, encoding="unicode", with_tail=False))

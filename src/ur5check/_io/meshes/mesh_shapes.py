@@ -1,0 +1,167 @@
+"""The shapes of an arm's links, as its URDF shows them: what plausibility holds numbers against.
+
+The dynamics never look here.  A shape that cannot be read is therefore a note, not an error.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+from operator import matmul
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from ..._errors import ModelError
+from ..._robot import SerialArm, Transform
+from ..._robot.transforms import Array
+from ..ros_packages import PackageMap, default_packages
+from ..urdf.urdf_checks import check_urdf
+from ..urdf.urdf_values import Robot
+from ..xml.xml_numbers import Element, ElementReader
+
+__all__ = ["Meshes", "Shape", "link_meshes"]
+
+_FORMATS = (".dae", ".glb", ".obj", ".off", ".ply", ".stl")  # one file each, no archive
+_KINDS: tuple[Literal["collision", "visual"], ...] = ("collision", "visual")
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """One shape of a link.
+
+    kind : which of a URDF's two pictures of a link it belongs to
+    name : the mesh's address as the URDF writes it, or "box", "cylinder", "sphere"
+    vertices : corners of its convex hull in the link's source frame, shape (k, 3) [m]
+    volume : of the solid; of its convex hull where the surface does not close [m³]
+    closed : whether the surface closes
+    """
+
+    kind: Literal["collision", "visual"]
+    name: str
+    vertices: Array
+    volume: float
+    closed: bool
+
+    @property
+    def bounds(self) -> Array:
+        """Smallest and largest coordinates, shape (2, 3) [m]."""
+        return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)])
+
+
+@dataclass(frozen=True, eq=False)
+class Meshes:
+    """links : the shapes of link 1 … n, with those of all that is fixed to it
+    notes : what could not be read, in sentences"""
+
+    links: tuple[tuple[Shape, ...], ...]
+    notes: tuple[str, ...] = ()
+
+
+def link_meshes(arm: SerialArm, packages: PackageMap | None = None) -> Meshes:
+    """The shapes of every link, each in the frame in which the URDF writes that link's numbers.
+
+    packages : where package:// addresses lead (default: what is installed with this program)
+
+    An arm that came from no URDF has no shapes.
+    """
+    if arm.source.urdf is None:
+        return Meshes(((),) * arm.n)
+    file = arm.source.inputs[0][0] if arm.source.inputs else arm.name
+    root = check_urdf(arm.source.urdf.encode("utf-8"), file)
+    robot = Robot(root, file)
+    chain = robot.tree.chain(arm.source.base, arm.source.tip)
+    nodes = {node.get("name"): node for node in root.iterchildren("link")}
+    reader = _Reader(file, default_packages() if packages is None else packages)
+    moving = frozenset(edge.joint for edge in chain.moving)
+    links = []
+    for edge in chain.moving:
+        shapes: list[Shape] = []
+        for way in robot.tree.rigid_group(edge.child, chain):
+            poses = (robot.held_pose(step, moving) for step in way)
+            pose = reduce(matmul, poses, Transform.identity())
+            shapes += reader.shapes(nodes[way[-1].child if way else edge.child], pose)
+        links.append(tuple(shapes))
+    return Meshes(tuple(links), tuple(dict.fromkeys(reader.notes)))
+
+
+class _Reader:
+    """Reads the shapes of one file's links, and notes what it cannot."""
+
+    def __init__(self, file: str, packages: PackageMap) -> None:
+        self.numbers = ElementReader(file)
+        self.folder = Path(file).parent
+        self.packages = packages
+        self.notes: list[str] = []
+
+    def shapes(self, link: Element, pose: Transform) -> list[Shape]:
+        """The shapes of one `<link>` whose frame stands at `pose`."""
+        found = []
+        for kind in _KINDS:
+            for node in link.iterchildren(kind):
+                owner = f"link {link.get('name')!r} {kind}"
+                try:
+                    found.append(self._shape(kind, node, owner, pose))
+                except ModelError as error:
+                    self.notes.append(str(error))
+        return found
+
+    def _shape(
+        self, kind: Literal["collision", "visual"], node: Element, owner: str, pose: Transform
+    ) -> Shape:
+        place = pose @ Transform.from_rpy(*self.numbers.origin(node, owner))
+        geometry = self.numbers.child(node, "geometry", owner)
+        solid = None if geometry is None else next(geometry.iterchildren("*"), None)
+        if solid is None:
+            self.numbers.fail(node, owner, "has no geometry", "write one, or remove it")
+        scale = np.ones(3)
+        if solid.tag == "mesh":
+            name = solid.get("filename") or ""
+            mesh = _read(self.packages.resolve(name, self.folder), name)
+            scale = np.array(self.numbers.triple(solid, "scale", owner, (1.0, 1.0, 1.0)))
+        else:
+            name, mesh = solid.tag, self._primitive(solid, owner)
+        points, volume, closed = _extent(mesh, name)
+        vertices = (points * scale) @ place.R.T + place.p
+        return Shape(kind, name, vertices, volume * float(abs(scale.prod())), closed)
+
+    def _primitive(self, solid: Element, owner: str) -> Any:
+        from trimesh import creation
+
+        if solid.tag == "box":
+            return creation.box(self.numbers.triple(solid, "size", owner, None))
+        if solid.tag not in ("cylinder", "sphere"):
+            self.numbers.fail(solid, owner, f"<{solid.tag}> is no shape of URDF", "use a mesh")
+        radius = self.numbers.number(solid, "radius", owner)
+        if solid.tag == "sphere":
+            return creation.icosphere(radius=float(radius))
+        return creation.cylinder(float(radius), float(self.numbers.number(solid, "length", owner)))
+
+
+def _read(path: Path, name: str) -> Any:
+    """A mesh file as one trimesh."""
+    import trimesh
+
+    if path.suffix.lower() not in _FORMATS:
+        raise ModelError(
+            f"{path.suffix or 'this'} is no mesh format that is read here",
+            remedy=f"use one of {', '.join(_FORMATS)}",
+            element=name,
+        )
+    try:
+        return trimesh.load_scene(path, skip_materials=True).to_mesh()
+    except Exception as error:  # each format's library has errors of its own
+        problem = f"the mesh cannot be read: {type(error).__name__}: {error}"
+        raise ModelError(problem, remedy="export it again", element=name) from error
+
+
+def _extent(mesh: Any, name: str) -> tuple[Array, float, bool]:
+    """Corners of the convex hull (k, 3), volume, and whether the surface closes."""
+    points = np.asarray(getattr(mesh, "vertices", ()), dtype=np.float64)
+    if len(points) < 4 or not np.isfinite(points).all() or not np.ptp(points, axis=0).all():
+        raise ModelError("the mesh encloses nothing", remedy="export it again", element=name)
+    hull = mesh.convex_hull
+    closed = bool(mesh.is_watertight)
+    volume = abs(float(mesh.volume if closed else hull.volume))
+    return np.asarray(hull.vertices, dtype=np.float64), volume, closed

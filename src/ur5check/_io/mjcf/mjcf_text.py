@@ -1,0 +1,198 @@
+"""An MJCF file and all that it includes as one text, in which every element still knows its place.
+
+MuJoCo reads the text; what it forgives is refused here first: a document type, numbers that are
+none (MuJoCo warns of a nan and goes on), a swapped range (MuJoCo takes it for no range at all).
+Other files than included ones are not followed: an arm is to be told by what was read and hashed.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from pathlib import Path, PurePosixPath
+from typing import NoReturn
+
+from lxml import etree
+
+from ..._errors import ModelError
+from ..inertia_checks import Place, check_inertia, printed_tensor
+from ..xml.safe_xml import checked_xml
+from ..xml.xml_numbers import Element, ElementReader
+from ..xml.xml_places import Places
+
+__all__ = ["MjcfText"]
+
+_NUMBERS = {
+    "body": ("pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "gravcomp"),
+    "frame": ("pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"),
+    "inertial": ("pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "mass", "diaginertia",
+                 "fullinertia"),
+    "joint": ("pos", "axis", "range", "actuatorfrcrange", "ref", "armature", "damping",
+              "frictionloss", "stiffness"),
+    "geom": ("pos", "quat", "size", "mass", "density", "fromto"),
+    "option": ("gravity", "density", "viscosity", "wind"),
+}  # fmt: skip
+_RANGES = ("range", "actuatorfrcrange", "ctrlrange", "forcerange")
+_NO_BODIES = {
+    "composite": "makes many bodies",
+    "flexcomp": "is soft",
+    "flex": "is soft",
+    "attach": "takes a body from another file",
+    "model": "names another file",
+    "plugin": "is code",
+}
+_LINE = re.compile(r"\bline (\d+)")
+
+
+class MjcfText:
+    """read : (name, bytes) of every file, the given one first."""
+
+    def __init__(self, data: bytes, *, file: str, folder: Path) -> None:
+        self.file, self.folder = file, folder
+        self.read: list[tuple[str, bytes]] = []
+        # Elements of included files; keeping them keeps lxml from making new objects for them.
+        self._homes: dict[Element, str] = {}
+        root = self._parsed(data, file)
+        if root.tag != "mujoco":
+            remedy = "an MJCF file's root is <mujoco>, a URDF's is <robot>"
+            self.fail(root, f"<{root.tag}>", "the root element is not MJCF's", remedy, root.tag)
+        for include in list(root.iter("include")):
+            self._splice(include)
+        self.root = root
+        self._check_elements()
+        self._places = Places(root)
+        self.text = self._places.text
+
+    @property
+    def inputs(self) -> tuple[tuple[str, str], ...]:
+        """(name, SHA-256) of every file that was read."""
+        return tuple((name, hashlib.sha256(data).hexdigest()) for name, data in self.read)
+
+    def fail(
+        self, node: Element, element: str | None, problem: str, remedy: str, value: object = None
+    ) -> NoReturn:
+        """Raise ModelError at an element, in the file where it stands."""
+        ElementReader(self._home(node)).fail(node, element, problem, remedy, value)
+
+    def place(self, info: str) -> tuple[str, int | None]:
+        """File and line of what MuJoCo says stands in "line 12" of the text it was given."""
+        found = _LINE.search(info)
+        node = self._places.at(int(found[1])) if found else None
+        return (self.file, None) if node is None else (self._home(node), node.sourceline)
+
+    def said_by_mujoco(self, error: Exception) -> ModelError:
+        """MuJoCo's refusal in our words."""
+        file, line = self.place(str(error))
+        first, *rest = str(error).strip().splitlines()
+        problem = re.sub(r"^((XML )?Error: )+", "", first)
+        element = re.search(r"Element (?:name )?'([^']+)'", " ".join(rest))
+        remedy = "correct it; MuJoCo's XML reference says what is meant"
+        if "mjMINVAL" in problem:
+            remedy = "give the body an <inertial>, or shapes that weigh something"
+        return ModelError(
+            f"MuJoCo cannot take it: {problem}",
+            remedy=remedy,
+            file=file,
+            line=line,
+            element=f"{element[1]!r}" if element else None,
+        )
+
+    def bytes_of(self, name: str, wanted_by: str) -> bytes:
+        """A file beside the model, read once and remembered.  wanted_by : for the error."""
+        try:
+            data = (self.folder / name).read_bytes()
+        except OSError as error:
+            problem = f"needs {name!r}, which cannot be read: {error.strerror}"
+            remedy = "put the file there, or give every moving body an <inertial>"
+            raise ModelError(problem, remedy=remedy, file=self.file, element=wanted_by) from None
+        self.read.append((name, data))
+        return data
+
+    def _parsed(self, data: bytes, file: str) -> Element:
+        self.read.append((file, data))
+        parser = etree.XMLParser(resolve_entities=False, no_network=True)
+        return etree.fromstring(checked_xml(data, file), parser)
+
+    def _splice(self, include: Element) -> None:
+        """What MuJoCo does: the included file's elements in the place of `<include>`."""
+        name = include.get("file")
+        if not name:
+            self.fail(include, "<include>", "names no file", 'write <include file="…"/>')
+        # MuJoCo looks from the folder of the main file, wherever the <include> itself stands.
+        if any(name == known for known, _ in self.read):
+            self.fail(include, "<include>", "is read already", "include a file once", name)
+        try:
+            data = (self.folder / PurePosixPath(name)).read_bytes()
+        except (OSError, ValueError):
+            remedy = "put it there: paths start from the folder of the main file"
+            self.fail(include, "<include> file", "cannot be read", remedy, name)
+        inner = self._parsed(data, name)
+        for node in inner.iter(etree.Element):
+            self._homes[node] = name
+        deeper = list(inner.iter("include"))
+        parent = include.getparent()
+        at = parent.index(include)
+        for offset, child in enumerate(list(inner)):
+            parent.insert(at + offset, child)
+        parent.remove(include)
+        for node in deeper:
+            self._splice(node)
+
+    def _home(self, node: Element) -> str:
+        return self._homes.get(node, self.file)
+
+    def _check_elements(self) -> None:
+        for node in self.root.iter(etree.Element):
+            if node.tag in _NO_BODIES and node.getparent().tag != "default":
+                remedy = "write rigid bodies out (MuJoCo's spec.to_xml() does), or leave it away"
+                problem = f"{_NO_BODIES[node.tag]}: no rigid body that can be read here"
+                self.fail(node, f"<{node.tag}>", problem, remedy)
+            reader = ElementReader(self._home(node))
+            owner = _owner(node)
+            for attribute in _NUMBERS.get(node.tag, ()):
+                if attribute in node.attrib:
+                    reader.numbers(node, attribute, owner)
+            for attribute in _RANGES:
+                self._check_range(node, attribute, reader, owner)
+            if node.tag == "inertial":
+                _check_inertial(node, reader, owner)
+
+    def _check_range(
+        self, node: Element, attribute: str, reader: ElementReader, owner: str
+    ) -> None:
+        if node.tag not in ("joint", "motor", "general", "position", "velocity"):
+            return
+        values = reader.numbers(node, attribute, owner) if attribute in node.attrib else ()
+        if len(values) == 2 and values[0] > values[1]:
+            problem = "lower exceeds upper, which MuJoCo takes for no limit at all"
+            self.fail(node, f"{owner} {attribute}", problem, "swap them", node.get(attribute))
+
+
+def _check_inertial(node: Element, reader: ElementReader, owner: str) -> None:
+    mass = reader.number(node, "mass", owner)
+    key, names = "fullinertia", ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]
+    if key not in node.attrib:
+        key, names = "diaginertia", names[:3]
+    if key not in node.attrib:
+        remedy = 'write fullinertia="xx yy zz xy xz yz" or diaginertia="xx yy zz"'
+        reader.fail(node, owner, "has no inertia", remedy)
+    entries = reader.numbers(node, key, owner)
+    if len(entries) != len(names):
+        problem = f"takes {len(names)} numbers, not {len(entries)}"
+        reader.fail(node, f"{owner} {key}", problem, "write them all", node.get(key))
+    products = {"ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
+    tensor, rounding = printed_tensor(products | dict(zip(names, entries, strict=True)))
+    line = node.sourceline
+    check_inertia(mass, tensor, Place(reader.file, f"{owner}/", line, line), rounding=rounding)
+
+
+def _owner(node: Element) -> str:
+    """“body 'rod' inertial”, for errors."""
+    above = node.getparent()
+    if node.tag in ("body", "joint") or above is None or above.tag != "body":
+        return _words(node)
+    return f"{_words(above)} {node.tag}"
+
+
+def _words(node: Element) -> str:
+    return f"{node.tag} {node.get('name')!r}" if node.get("name") else f"<{node.tag}>"

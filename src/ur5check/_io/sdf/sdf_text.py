@@ -1,0 +1,210 @@
+"""The strict reading of an SDF: one model, and what its links weigh.
+
+SDFormat has defaults that nobody means: a link without `<inertial>` weighs 1 kg and has 1 kg m²
+about each axis.  libsdformat fills them in without a word, so they are looked for here, in the
+text, before it reads it.  Where things stand (poses relative to frames, joints relative to links)
+is libsdformat's business; what they weigh is read here, with every digit.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import NoReturn
+
+import numpy as np
+from lxml import etree
+
+from ..._errors import ModelError
+from ..._robot import STANDARD_GRAVITY, Inertia, Transform
+from ..inertia_checks import Place, check_inertia, printed_tensor
+from ..printed_numbers import Printed
+from ..xml.safe_xml import checked_xml
+from ..xml.xml_numbers import Element, ElementReader
+from ..xml.xml_places import Places
+
+__all__ = ["SdfText"]
+
+_ENTRIES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+_NOT_READ = ("visual", "collision", "sensor", "plugin", "light", "actor", "gui", "scene", "physics")
+_WORLD_GRAVITY = (0.0, 0.0, -9.8)  # SDFormat's own default for a <world>
+_OLDEST = (1, 4)
+
+
+class SdfText:
+    """The only model of an SDF file."""
+
+    def __init__(self, data: bytes, file: str) -> None:
+        self.reader = ElementReader(file)
+        parser = etree.XMLParser(resolve_entities=False, no_network=True)
+        self.root = etree.fromstring(checked_xml(data, file), parser)
+        self._check_root()
+        self.world, self.model = self._only_model()
+        self.name = self.reader.name(self.model)
+        self.links = self._named("link")
+        self.joints = self._named("joint")
+        self._inertials = {
+            name: self.reader.child(link, "inertial", f"link {name!r}")
+            for name, link in self.links.items()
+        }
+        for name, joint in self.joints.items():
+            self._check_joint(name, joint)
+        # Drake is asked for places only: it is not to judge, or warn of, what it is not asked for.
+        for node in list(self.root.iter("inertial", *_NOT_READ)):
+            node.getparent().remove(node)
+        gravity = None if self.world is None else self.world.find("gravity")
+        self._gravity = gravity
+        if self.world is not None and gravity is not None:
+            # Drake has its own gravity and only warns that it does not take the file's.
+            self.world.remove(gravity)
+        self._places = Places(self.root)
+        self.text = self._places.text
+
+    def gravity(self) -> tuple[tuple[float, ...], tuple[str, ...]]:
+        """In the world's frame [m/s²], and a note where it is SDFormat's default."""
+        if self.world is None:
+            return STANDARD_GRAVITY, ()
+        if self._gravity is None:
+            return _WORLD_GRAVITY, ("the world names no gravity: SDFormat's is 9.8 m/s²",)
+        return tuple(self._numbers(self._gravity, "<world> gravity", 3)), ()
+
+    def inertia(self, name: str) -> Inertia:
+        """A moving link's inertia, in the link's frame.  Raises ModelError where a default of
+        SDFormat would stand in for a number."""
+        link, owner = self.links[name], f"link {name!r}"
+        inertial = self._inertials[name]
+        if (link.findtext("gravity") or "true").strip().lower() in ("false", "0"):
+            remedy = "remove <gravity>: no arm on earth has a link without weight"
+            self.reader.fail(link, owner, "has its gravity switched off", remedy)
+        if inertial is None:
+            problem = "moves and has no <inertial>: SDFormat would give it 1 kg and 1 kg m²"
+            remedy = "write its <inertial>; a mere frame is a <frame>, not a link"
+            self.reader.fail(link, owner, problem, remedy)
+        owner += " inertial"
+        if (inertial.get("auto") or "false").strip().lower() in ("true", "1"):
+            remedy = "write <mass> and <inertia>"
+            self.reader.fail(inertial, owner, "is to be made from shapes (auto)", remedy)
+        mass_node = self._part(inertial, "mass", owner, "1 kg")
+        inertia_node = self._part(inertial, "inertia", owner, "1 kg m²")
+        (mass,) = self._numbers(mass_node, f"{owner}/mass", 1)
+        entries = {}
+        for entry in _ENTRIES:
+            default = "1 kg m²" if entry[1] == entry[2] else "0"
+            node = self._part(inertia_node, entry, f"{owner}/inertia", default)
+            (entries[entry],) = self._numbers(node, f"{owner}/inertia/{entry}", 1)
+        tensor, rounding = printed_tensor(dict(entries))
+        place = Place(self.reader.file, f"{owner}/", mass_node.sourceline, inertia_node.sourceline)
+        check_inertia(mass, tensor, place, rounding=rounding, point_mass=True)
+        own = Inertia(mass, np.zeros(3), tensor)
+        return own.expressed_in(self._pose(inertial, owner))
+
+    def losses(self, joint: str) -> tuple[float, float]:
+        """A joint's damping and friction; zero where the file names none."""
+        node = self.joints[joint].find("axis/dynamics")
+        given = {key: self._optional(node, key, joint) for key in ("damping", "friction")}
+        return given["damping"], given["friction"]
+
+    def fail(
+        self, node: Element, element: str | None, problem: str, remedy: str, value: object = None
+    ) -> NoReturn:
+        """Raise ModelError at an element."""
+        self.reader.fail(node, element, problem, remedy, value)
+
+    def said_by_drake(self, error: Exception) -> ModelError:
+        """Drake's refusal in our words."""
+        said = str(error)
+        found = re.search(r"\.sdf:(\d+)", said)
+        node = self._places.at(int(found[1])) if found else None
+        return ModelError(
+            f"Drake cannot take it: {self.in_our_words(said)}",
+            remedy="correct it; http://sdformat.org/spec says what is meant",
+            file=self.reader.file,
+            line=None if node is None else node.sourceline,
+        )
+
+    @staticmethod
+    def in_our_words(said: str) -> str:
+        """One line, without the place in a text that nobody has seen."""
+        line = " ".join(said.split())
+        return re.sub(r"^(<[\w-]+>(\.sdf)?(:\d+)?: *)?((error|warning): *)?", "", line).rstrip(".")
+
+    def _check_root(self) -> None:
+        if self.root.tag != "sdf":
+            remedy = "an SDF file's root is <sdf version=…>"
+            self.fail(self.root, f"<{self.root.tag}>", "the root element is not SDF's", remedy)
+        version = self.root.get("version") or ""
+        numbers = re.fullmatch(r"(\d+)\.(\d+)", version)
+        if numbers is None or (int(numbers[1]), int(numbers[2])) < _OLDEST:
+            remedy = 'write version="1.4" or later'
+            self.fail(self.root, "<sdf> version", "is too old or none", remedy, version or None)
+
+    def _only_model(self) -> tuple[Element | None, Element]:
+        for tag in ("include", "model/model", "world/model/model"):
+            node = self.root.find(f".//{tag}" if tag == "include" else tag)
+            if node is not None:
+                remedy = "write the model out flat, in one file (gz sdf --print does)"
+                self.fail(node, f"<{node.tag}>", "is not followed", remedy)
+        models = [*self.root.findall("model"), *self.root.findall("world/model")]
+        if len(models) != 1:
+            node = models[1] if models else self.root
+            remedy = "keep the arm's model alone"
+            self.fail(node, "<sdf>", f"holds {len(models)} models", remedy)
+        world = self.root.find("world")
+        return world, models[0]
+
+    def _named(self, tag: str) -> dict[str, Element]:
+        named: dict[str, Element] = {}
+        for node in self.model.findall(tag):
+            name = self.reader.name(node)
+            if name in named:
+                problem = f"appears twice, first in line {named[name].sourceline}"
+                self.fail(node, f"{tag} {name!r}", problem, "give each its own name")
+            named[name] = node
+        return named
+
+    def _check_joint(self, name: str, joint: Element) -> None:
+        owner = f"joint {name!r}"
+        axis = self.reader.child(joint, "axis", owner)
+        if axis is None:
+            return
+        xyz = self.reader.child(axis, "xyz", owner)
+        if xyz is not None and not any(self._numbers(xyz, f"{owner} axis", 3)):
+            self.fail(xyz, f"{owner} axis", "is zero", "write a direction, such as 0 0 1", xyz.text)
+        limit = self.reader.child(axis, "limit", owner)
+        if limit is not None:
+            values = {}
+            for node in limit.iterchildren("lower", "upper", "effort", "velocity"):
+                (values[node.tag],) = self._numbers(node, f"{owner} limit {node.tag}", 1)
+            if values.get("lower", -math.inf) > values.get("upper", math.inf):
+                self.fail(limit, f"{owner} limit", "lower exceeds upper", "swap them")
+
+    def _part(self, node: Element, tag: str, owner: str, default: str) -> Element:
+        part = self.reader.child(node, tag, owner)
+        if part is None:
+            problem = f"has no <{tag}>: SDFormat would give it {default}"
+            self.fail(node, owner, problem, f"write <{tag}>")
+        return part
+
+    def _optional(self, node: Element | None, tag: str, joint: str) -> float:
+        part = None if node is None else self.reader.child(node, tag, f"joint {joint!r}")
+        if part is None:
+            return 0.0
+        (value,) = self._numbers(part, f"joint {joint!r} dynamics {tag}", 1)
+        return value
+
+    def _pose(self, node: Element, owner: str) -> Transform:
+        pose = self.reader.child(node, "pose", owner)
+        if pose is None:
+            return Transform.identity()
+        owner += " pose"
+        if pose.get("relative_to"):
+            self.fail(pose, owner, "is relative to another frame", "write it in the link's frame")
+        if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
+            x, y, z, *xyz_w = self._numbers(pose, owner, 7)
+            return Transform.from_quaternion((x, y, z), (xyz_w[3], *xyz_w[:3]))
+        x, y, z, *rpy = self._numbers(pose, owner, 6)
+        in_degrees = (pose.get("degrees") or "false").strip().lower() in ("true", "1")
+        return Transform.from_rpy((x, y, z), [math.radians(a) for a in rpy] if in_degrees else rpy)
+
+    def _numbers(self, node: Element, owner: str, count: int) -> list[Printed]:
+        return self.reader.text_numbers(node, owner, count)

@@ -1,0 +1,199 @@
+"""The strict reading of a URDF, before anyone else sees it.
+
+Readers of URDF forgive much, and each forgives something else: Pinocchio drops an `<inertial>` that
+it cannot read, yourdfpy turns a missing `ixx` into 1.0, both take a negative mass.  A file that
+passes here means the same to all of them.
+
+What is *not* asked here is whether the file describes an arm: which joints form a chain, and
+whether each moving link has a mass, depends on the base and tip chosen (`urdf_chain`, `urdf_file`).
+"""
+
+from __future__ import annotations
+
+from lxml import etree
+
+from ..inertia_checks import Place, check_inertia, printed_tensor
+from ..suggestions import did_you_mean
+from ..xml.xml_numbers import Element, ElementReader
+from .urdf_tree import check_tree
+
+__all__ = ["ENTRIES", "JOINT_TYPES", "check_urdf"]
+
+JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+ENTRIES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+_WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
+_OTHER_FORMATS = {
+    "sdf": "this is an SDFormat file: name it .sdf",
+    "mujoco": "this is a MuJoCo model: name it .xml",
+    "COLLADA": "this is a mesh: give the robot's description",
+}
+
+
+def check_urdf(data: bytes, file: str) -> Element:
+    """The root element of a URDF in which nothing is wrong, as lxml reads it.
+
+    data : well-formed XML (`xml_text.checked_xml` sees to that)
+    file : what errors call it
+
+    Raises ModelError for the first fault, in this order: the root; what is not expanded; names,
+    types, parents and children; the tree; then the numbers, in document order.
+    """
+    reader = ElementReader(file)
+    root = etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True))
+    _check_root(root, reader)
+    _check_expanded(root, reader)
+    reader.name(root)
+    links = _named(root, "link", reader)
+    if not links:
+        reader.fail(root, "<robot>", "has no link", "a robot needs links, and joints between them")
+    joints = _named(root, "joint", reader)
+    for name, joint in joints.items():
+        _check_type(name, joint, reader)
+    check_tree(links, joints, reader)
+    for element in root.iterchildren("link", "joint"):
+        name = element.get("name")
+        if element.tag == "link":
+            _check_link(name, element, reader)
+        else:
+            _check_joint(name, element, joints, reader)
+    return root
+
+
+def _check_root(root: Element, reader: ElementReader) -> None:
+    tag = etree.QName(root)
+    if tag.localname == "robot" and tag.namespace is None:
+        return
+    remedy = "a URDF's root is <robot>"
+    if tag.localname in _OTHER_FORMATS:
+        remedy = _OTHER_FORMATS[tag.localname]
+    elif tag.localname == "robot":
+        remedy = "remove the default namespace, xmlns=…: URDF has none"
+    reader.fail(root, f"<{tag.localname}>", "the root element is not a URDF's", remedy, root.tag)
+
+
+def _check_expanded(root: Element, reader: ElementReader) -> None:
+    """No xacro left over.  (A mere xmlns:xacro is fine: xacro leaves it in what it writes.)"""
+    remedy = "this is a xacro file: name it .xacro, or expand it first (ur5check expand)"
+    for element in root.iter(etree.Element):
+        tag = etree.QName(element)
+        if "xacro" in (tag.namespace or ""):
+            problem = "is a xacro instruction, not yet expanded"
+            reader.fail(element, f"<{element.prefix}:{tag.localname}>", problem, remedy)
+    for element in root.iterchildren("link", "joint"):
+        for part in element.iter(etree.Element):
+            for key, text in part.attrib.items():
+                if "${" in text or "$(" in text:
+                    where = f"<{part.tag}> {key}"
+                    reader.fail(part, where, "is an unexpanded xacro expression", remedy, text)
+
+
+def _named(root: Element, tag: str, reader: ElementReader) -> dict[str, Element]:
+    """The root's children of this tag by name, each name once."""
+    named: dict[str, Element] = {}
+    for element in root.iterchildren(tag):
+        name = reader.name(element)
+        if name in named:
+            problem = f"appears twice, first in line {named[name].sourceline}"
+            reader.fail(element, f"{tag} {name!r}", problem, "give each its own name")
+        named[name] = element
+    return named
+
+
+def _check_type(name: str, joint: Element, reader: ElementReader) -> None:
+    kind = joint.get("type")
+    if kind is None:
+        reader.fail(
+            joint, f"joint {name!r}", "has no type", f"use one of: {', '.join(JOINT_TYPES)}"
+        )
+    if kind not in JOINT_TYPES:
+        remedy = did_you_mean(kind, JOINT_TYPES)
+        reader.fail(joint, f"joint {name!r} type", "is no joint type of URDF", remedy, kind)
+
+
+def _check_link(name: str, link: Element, reader: ElementReader) -> None:
+    owner = f"link {name!r}"
+    inertial = reader.child(link, "inertial", owner)
+    if inertial is None:
+        return
+    owner += " inertial"
+    reader.origin(inertial, owner)
+    parts: dict[str, Element] = {
+        tag: reader.child(inertial, tag, owner) for tag in ("mass", "inertia")
+    }
+    for tag, part in parts.items():
+        if part is None:
+            remedy = f"write <{tag}>, or leave the whole <inertial> out for a massless frame"
+            reader.fail(inertial, owner, f"has no <{tag}>", remedy)
+    mass = reader.number(parts["mass"], "value", f"{owner}/mass")
+    entries = {e: reader.number(parts["inertia"], e, f"{owner}/inertia") for e in ENTRIES}
+    place = Place(reader.file, f"{owner}/", parts["mass"].sourceline, parts["inertia"].sourceline)
+    tensor, rounding = printed_tensor(dict(entries))
+    # A point mass is the limit of small bodies: welded to a link it is as good as any other, and
+    # force sensors are often written so.  One that moves alone is refused once links are merged.
+    check_inertia(mass, tensor, place, rounding=rounding, point_mass=True)
+
+
+def _check_joint(
+    name: str, joint: Element, joints: dict[str, Element], reader: ElementReader
+) -> None:
+    owner = f"joint {name!r}"
+    kind = joint.get("type")
+    reader.origin(joint, owner)
+    axis = reader.child(joint, "axis", owner)
+    if axis is not None:
+        direction = reader.triple(axis, "xyz", f"{owner} axis", None)
+        # Exporters write a zero axis into fixed joints, where it means nothing.
+        if kind in _WITH_AXIS and not any(direction):
+            remedy = "write the direction in the joint's frame, such as 0 0 1"
+            reader.fail(axis, f"{owner} axis", "is zero", remedy, axis.get("xyz"))
+    _check_limit(owner, kind, joint, reader)
+    _check_losses(owner, joint, reader)
+    mimic = reader.child(joint, "mimic", owner)
+    if mimic is not None:
+        followed = mimic.get("joint")
+        if followed not in joints or followed == name:
+            problem = "names no other joint of this file"
+            remedy = did_you_mean(followed or "", set(joints) - {name})
+            reader.fail(mimic, f"{owner} mimic", problem, remedy, followed)
+        for attribute in ("multiplier", "offset"):
+            reader.optional_number(mimic, attribute, f"{owner} mimic")
+
+
+def _check_losses(owner: str, joint: Element, reader: ElementReader) -> None:
+    losses = reader.child(joint, "dynamics", owner)
+    if losses is None:
+        return
+    for key in ("damping", "friction"):
+        value = reader.optional_number(losses, key, f"{owner} dynamics")
+        if value is not None and value < 0.0:
+            remedy = "a bearing takes energy, it gives none: write it positive"
+            reader.fail(losses, f"{owner} dynamics {key}", "is negative", remedy, losses.get(key))
+
+
+def _check_limit(owner: str, kind: str, joint: Element, reader: ElementReader) -> None:
+    limit = reader.child(joint, "limit", owner)
+    owner += " limit"
+    needed = kind in ("revolute", "prismatic")
+    if limit is None:
+        if needed:
+            remedy = "write <limit lower upper effort velocity>, or type='continuous'"
+            reader.fail(joint, owner, f"is missing, which a {kind} joint must have", remedy)
+        return
+    names = ("lower", "upper", "effort", "velocity")
+    values = {key: reader.optional_number(limit, key, owner) for key in names}
+    if needed:
+        for key in ("effort", "velocity"):
+            reader.number(limit, key, owner)
+        if values["lower"] is None and values["upper"] is None:
+            remedy = "write lower and upper: left out they are 0, and the joint could not move"
+            reader.fail(limit, owner, "lower and upper are missing", remedy)
+    for key in ("effort", "velocity"):
+        value = values[key]
+        if value is not None and value < 0.0:
+            remedy = "it bounds a magnitude: write it positive"
+            reader.fail(limit, f"{owner} {key}", "is negative", remedy, limit.get(key))
+    lower, upper = values["lower"] or 0.0, values["upper"] or 0.0
+    if needed and lower > upper:
+        shown = f"lower={limit.get('lower')} upper={limit.get('upper')}"
+        reader.fail(limit, owner, "lower exceeds upper", "swap them", shown)

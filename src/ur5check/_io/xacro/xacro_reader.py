@@ -1,0 +1,214 @@
+"""xacro to URDF, for files that nobody vouches for.
+
+xacro's `${…}` is code, so a file is expanded in a process of its own (`xacro_worker`) with bounded
+time, memory and output, an empty environment, and no way to read anything but its own folder and
+the packages (`xacro_fence`).  What comes back is the URDF text, or one ModelError.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from xml.sax.saxutils import escape
+
+from ..._errors import ModelError
+from ..ros_packages import PackageMap
+
+__all__ = ["Expansion", "expand_xacro"]
+
+_NOTE_BYTES = 4096
+_OUTPUT_BYTES = 16 * 2**20
+_MEMORY_BYTES = 512 * 2**20
+
+_START = (
+    "import sys; sys.path[:] = sys.argv[1:]; "
+    "from ur5check._io.xacro.xacro_process import main; main()"
+)
+
+
+@dataclass(frozen=True)
+class Expansion:
+    """What came of a xacro file.
+
+    text : the URDF
+    inputs : (name, SHA-256) of every file that was read, the robot file first; a file in a package
+        is named by its package:// URI, which is the same on every machine
+    warnings : what xacro remarked
+    """
+
+    text: str
+    inputs: tuple[tuple[str, str], ...]
+    warnings: tuple[str, ...] = ()
+
+
+def expand_xacro(
+    path: str | os.PathLike[str],
+    *,
+    arguments: Mapping[str, str],
+    packages: PackageMap,
+    seconds: float = 20.0,
+) -> Expansion:
+    """Expand a xacro file.
+
+    arguments : values for its <xacro:arg>s; one that the file does not know is an error
+    packages : answers $(find …), and says which folders may be read besides the file's own
+    seconds : wall-clock time that the expansion may take [s]
+
+    Raises ModelError, with file and line wherever they can be told.
+    """
+    robot = Path(path)
+    if not robot.is_file():
+        raise ModelError(
+            "this is not a file" if robot.exists() else "no such file",
+            remedy="give the path of a xacro file",
+            file=str(path),
+        )
+    robot = robot.resolve()
+    folders = [str(robot.parent), *(str(f) for fs in packages.folders.values() for f in fs)]
+    request = {
+        "robot": str(robot),
+        "arguments": dict(arguments),
+        "packages": {name: [str(f) for f in fs] for name, fs in packages.folders.items()},
+        "folders": folders,
+        "seconds": math.ceil(seconds) + 1,  # of processor time: the wall clock shall strike first
+        "memory_bytes": _MEMORY_BYTES,
+        "note_bytes": _NOTE_BYTES,
+        "output_bytes": _OUTPUT_BYTES,
+    }
+    shown = {str(robot): str(path)}
+    try:
+        data = _run_worker(json.dumps(request).encode(), robot.parent, seconds)
+    except _EndedError as ended:
+        raise _ended_error(ended, shown) from None
+    try:
+        answer = json.loads(data[_NOTE_BYTES:])
+        if "error" in answer:
+            raise _error(answer["error"], answer["files"], answer["snippet"], shown)
+        names = _Names(str(robot), str(path), packages)
+        return Expansion(
+            str(answer["text"]),
+            tuple((names.of(str(file)), str(digest)) for file, digest in answer["inputs"]),
+            tuple(map(str, answer["warnings"])),
+        )
+    except (ValueError, TypeError, KeyError):
+        # Only an expression that got hold of the process could make this happen.
+        raise _ended_error(
+            _EndedError("the expansion ended without a result", data), shown
+        ) from None
+
+
+class _EndedError(Exception):
+    """The worker came to no answer; what it wrote so far is kept."""
+
+    def __init__(self, problem: str, output: bytes) -> None:
+        super().__init__(problem)
+        self.problem = problem
+        self.output = output
+
+
+def _run_worker(request: bytes, folder: Path, seconds: float) -> bytes:
+    """All that the worker wrote to its stdout: a file, whose size the system bounds."""
+    # Isolated (-I) and without site (-S): the worker finds modules where this process does, and
+    # nowhere else.  A relative entry would mean the robot's own folder there: a stranger's modules.
+    home = Path(__file__).resolve().parents[3]
+    places = [str(Path(entry).absolute()) for entry in sys.path if entry]
+    command = [sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, *places, str(home)]
+    # A Python that is itself linked to shared libraries needs this one variable to start.
+    kept = {key: os.environ[key] for key in ("LD_LIBRARY_PATH",) if key in os.environ}
+    with tempfile.TemporaryFile() as output:
+        problem = ""
+        try:
+            status = subprocess.run(  # noqa: S603 - our own interpreter, our own module
+                command,
+                input=request,
+                stdout=output,
+                stderr=subprocess.DEVNULL,
+                timeout=seconds,
+                env=kept,
+                cwd=folder,
+                check=False,
+            ).returncode
+            if status:
+                problem = f"the expansion was ended by its limits (status {status})"
+        except subprocess.TimeoutExpired:
+            problem = f"the expansion took longer than {seconds:g} s"
+        output.seek(0)
+        data = output.read()
+    if problem:
+        raise _EndedError(problem, data)
+    return data
+
+
+def _ended_error(ended: _EndedError, shown: Mapping[str, str]) -> ModelError:
+    try:
+        note = json.loads(ended.output[:_NOTE_BYTES].rstrip(b"\0 "))
+        snippet, files = str(note["snippet"]), list(map(str, note["files"]))
+    except (ValueError, TypeError, KeyError):
+        snippet, files = "", list(shown)
+    error = {
+        "problem": ended.problem,
+        "remedy": "simplify what it computes, or allow it more time",
+        "element": snippet or None,
+    }
+    return _error(error, files, snippet, shown)
+
+
+def _error(
+    fields: Mapping[str, Any], files: Sequence[str], snippet: str, shown: Mapping[str, str]
+) -> ModelError:
+    file, line = fields.get("file"), fields.get("line")
+    if file is None:
+        file, line = _place(files, snippet)
+    return ModelError(
+        fields["problem"],
+        remedy=fields["remedy"],
+        file=shown.get(file, file),
+        line=line,
+        element=fields.get("element"),
+        value=fields.get("value"),
+    )
+
+
+def _place(files: Sequence[str], snippet: str) -> tuple[str, int | None]:
+    """The file and line in which the text stands first; xacro itself keeps no lines.
+
+    In an attribute, XML turns line breaks into spaces and some characters into entities.
+    """
+    words = snippet.split()
+    for file in files:
+        try:
+            text = Path(file).read_text("utf-8", "replace")
+        except OSError:
+            continue
+        for quote in (str, escape, lambda word: escape(word, {'"': "&quot;"})):
+            found = re.search(r"\s+".join(re.escape(quote(word)) for word in words), text)
+            if words and found:
+                return file, text.count("\n", 0, found.start()) + 1
+    return files[0], None
+
+
+class _Names:
+    """What a file is called in a report."""
+
+    def __init__(self, robot: str, given: str, packages: PackageMap) -> None:
+        self.robot = robot
+        self.given = given
+        self.packages = packages
+
+    def of(self, file: str) -> str:
+        for name, folders in self.packages.folders.items():
+            for folder in folders:
+                if Path(file).is_relative_to(folder):
+                    return f"package://{name}/{Path(file).relative_to(folder).as_posix()}"
+        if file == self.robot:
+            return self.given
+        return os.path.relpath(file, Path(self.robot).parent)
