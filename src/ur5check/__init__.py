@@ -15,11 +15,8 @@ from typing import TYPE_CHECKING, Any
 from ._version import __version__
 
 if TYPE_CHECKING:
-    from ._io.loading import load
-    from ._robot.serial_arm import SerialArm
-    from .checks.validation import validate
-    from .comparison.difference import diff
-    from .dynamics.equations import (
+    from ._dynamics.compiled.kernel import compile  # noqa: A004 - the word for it
+    from ._dynamics.equations import (
         coriolis_matrix,
         forward_dynamics,
         gravity_torque,
@@ -27,31 +24,34 @@ if TYPE_CHECKING:
         mass_matrix,
         potential_energy,
     )
-    from .dynamics.kinematics import forward_kinematics
-    from .dynamics.newton_euler import rnea
-    from .dynamics.regressor import torque_regressor
+    from ._dynamics.kinematics import forward_kinematics
+    from ._dynamics.recursion import rnea
+    from ._dynamics.regressor import torque_regressor
+    from ._io.loading import load
+    from ._robot.serial_arm import SerialArm
+    from .checks.validation import validate
+    from .comparison.difference import diff
     from .explanation.explanation import explain
-    from .kernels.kernel import compile  # noqa: A004 - the word for it
     from .parity.comparison import compare_engines
     from .sweeping.sweep import sweep
 
 _HOMES = {
     "SerialArm": "._robot.serial_arm",
     "compare_engines": ".parity.comparison",
-    "compile": ".kernels.kernel",
-    "coriolis_matrix": ".dynamics.equations",
+    "compile": "._dynamics.compiled.kernel",
+    "coriolis_matrix": "._dynamics.equations",
     "diff": ".comparison.difference",
     "explain": ".explanation.explanation",
-    "forward_dynamics": ".dynamics.equations",
-    "forward_kinematics": ".dynamics.kinematics",
-    "gravity_torque": ".dynamics.equations",
-    "kinetic_energy": ".dynamics.equations",
+    "forward_dynamics": "._dynamics.equations",
+    "forward_kinematics": "._dynamics.kinematics",
+    "gravity_torque": "._dynamics.equations",
+    "kinetic_energy": "._dynamics.equations",
     "load": "._io.loading",
-    "mass_matrix": ".dynamics.equations",
-    "potential_energy": ".dynamics.equations",
-    "rnea": ".dynamics.newton_euler",
+    "mass_matrix": "._dynamics.equations",
+    "potential_energy": "._dynamics.equations",
+    "rnea": "._dynamics.recursion",
     "sweep": ".sweeping.sweep",
-    "torque_regressor": ".dynamics.regressor",
+    "torque_regressor": "._dynamics.regressor",
     "validate": ".checks.validation",
 }
 

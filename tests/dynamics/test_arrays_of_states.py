@@ -7,9 +7,9 @@ import pytest
 
 import ur5check
 from examples import random_arm
+from ur5check._dynamics import batching
 from ur5check._errors import StateError
 from ur5check._robot.states import random_states
-from ur5check.dynamics import batching
 
 ARM = random_arm(4, seed=1)
 STATES = random_states(4, 24, seed=2)

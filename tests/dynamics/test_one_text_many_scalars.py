@@ -7,9 +7,9 @@ import sympy
 
 import ur5check
 from examples import planar_arm
-from ur5check.dynamics.batching import JointState
-from ur5check.dynamics.chain import chain_of
-from ur5check.dynamics.newton_euler import joint_torques
+from ur5check._dynamics.batching import JointState
+from ur5check._dynamics.chain_constants import chain_of
+from ur5check._dynamics.recursion import joint_torques
 
 
 def test_the_recursion_traces_into_a_closed_form():

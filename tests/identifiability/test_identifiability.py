@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies
+from ur5check._dynamics.recursion import rnea
+from ur5check._dynamics.regressor import torque_regressor
 from ur5check._robot import DHRow, Inertia, Joint, Link, SerialArm, Transform, arm_from_dh
 from ur5check._robot.states import random_states
 from ur5check.comparison.difference import SAME_TORQUE
 from ur5check.comparison.pair import pair_up
-from ur5check.dynamics.newton_euler import rnea
-from ur5check.dynamics.regressor import torque_regressor
 from ur5check.identifiability.equivalence import TOLERANCE, equivalence, split
 from ur5check.identifiability.identifiability import CERTAIN_GAP, WEAKEST, identify
 

@@ -209,7 +209,7 @@ def test_a_claim_that_is_put_to_nothing_printed_is_no_claim() -> None:
 
 def run_of(run: Run, arm: SerialArm) -> Run:
     """The same case of another arm, by our recursion."""
-    from ur5check.dynamics.equations import gravity_torque
+    from ur5check._dynamics.equations import gravity_torque
 
     model = replace(run.model, arm=arm)
     return Run(run.case, model, run.q, gravity_torque(arm, run.q), run.expected)

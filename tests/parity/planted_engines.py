@@ -10,11 +10,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from ur5check._dynamics.kinematics import link_frames
 from ur5check._errors import EngineError
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._robot import Inertia, Limits
 from ur5check._robot.transforms import Transform
-from ur5check.dynamics.kinematics import link_frames
 from ur5check.engines.holdings import HeldBody
 from ur5check.engines.own import OwnEngine
 from ur5check.parity.written import written_arm

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
+from ur5check._dynamics.recursion import rnea
 from ur5check._errors import EngineError, UsageError
 from ur5check._robot.states import random_states
-from ur5check.dynamics.newton_euler import rnea
 from ur5check.engines.own import OwnEngine
 from ur5check.parity.answers import ask, hold_against
 from ur5check.parity.comparison import SAME_ROBOT, compare_engines

@@ -8,8 +8,8 @@ import pytest
 from planted_engines import Honest, Merging
 
 import ur5check
+from ur5check._dynamics.recursion import rnea
 from ur5check._robot.states import random_states
-from ur5check.dynamics.newton_euler import rnea
 from ur5check.engines.pinocchio import PinocchioEngine
 from ur5check.parity.imports import audit, priced
 

@@ -11,9 +11,9 @@ import pytest
 
 import ur5check
 from examples import random_arm
+from ur5check._dynamics.kinematics import forward_kinematics
 from ur5check._errors import StateError, UsageError
 from ur5check._robot.states import States
-from ur5check.dynamics.kinematics import forward_kinematics
 from ur5check.sweeping.magnitudes import RELATIVE_ERROR
 from ur5check.sweeping.plan import plan_of
 from ur5check.sweeping.reach_map import HEIGHTS, ReachGrid, tool_position

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from ur5check.kernels import kernel
+from ur5check._dynamics.compiled import kernel
 from ur5check.sweeping import loops, rows
 from ur5check.sweeping.plan import _difference
 from ur5check.sweeping.sweep import sweep

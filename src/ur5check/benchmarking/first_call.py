@@ -25,7 +25,7 @@ def main(quantity: str) -> tuple[float, float]:
     arm = pickle.load(sys.stdin.buffer)  # noqa: S301 - from the process that started this one
     state = np.zeros((_ARGUMENTS.get(quantity, 3), 1, arm.n))
     ready = perf_counter()
-    from ..kernels import kernel
+    from .._dynamics.compiled import kernel
 
     getattr(kernel.compile(arm), quantity)(*state)
     return imported - began, perf_counter() - ready

@@ -14,8 +14,8 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
 
+from .._dynamics.compiled.kernel import default_path
 from .._robot.serial_arm import SerialArm, Source
-from ..kernels.kernel import default_path
 from .growth import chain
 from .result import Chapter, Comparison
 from .timing import ranked

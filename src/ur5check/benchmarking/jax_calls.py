@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from .._dynamics.compiled.jax_function import jax_rnea
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..kernels.jax_function import jax_rnea
 from .timing import Contestant
 
 __all__ = ["jax_contestant"]

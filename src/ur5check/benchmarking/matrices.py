@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from .._dynamics import equations, regressor
+from .._dynamics.compiled import kernel
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States
-from ..dynamics import equations, regressor
-from ..kernels import kernel
 from .pinocchio_calls import PinocchioCalls
 from .result import Chapter, Comparison
 from .timing import Contestant, race

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from .._dynamics.symbolic.quantities import Quantity
+from .._dynamics.symbolic.trace import as_written, trace
 from .._robot.serial_arm import SerialArm
-from ..closed_form.quantities import Quantity
-from ..closed_form.trace import as_written, trace
 from .growth import chain
 from .result import OperationCount
 

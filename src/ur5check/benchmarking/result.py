@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from .._dynamics.symbolic.program import Operations
 from .._robot.serial_arm import SerialArm
-from ..closed_form.program import Operations
 
 __all__ = ["Benchmark", "Chapter", "Comparison", "OperationCount", "Profile", "Timing"]
 

@@ -18,8 +18,8 @@ from .options import (
 from .output import check_output, emit
 
 if TYPE_CHECKING:
+    from .._dynamics.symbolic.derivation import Derivation
     from .._robot.serial_arm import SerialArm
-    from ..closed_form.derivation import Derivation
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -62,7 +62,7 @@ def run(args: argparse.Namespace) -> int:
     (arm,) = options.load(quiet=args.quiet)
     check_output(args.output, options.files([arm]))
 
-    from ..closed_form.derivation import derive
+    from .._dynamics.symbolic.derivation import derive
 
     derivation = derive(arm, args.quantity, parameters=args.parameters)
     for stage, operations in derivation.stages:
@@ -74,10 +74,10 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _text(target: str, arm: SerialArm, derivation: Derivation, command: str) -> str:
-    from ..closed_form.to_c import to_c
-    from ..closed_form.to_latex import to_latex
-    from ..closed_form.to_python import to_python
-    from ..closed_form.to_sympy import to_sympy
+    from .._dynamics.symbolic.to_c import to_c
+    from .._dynamics.symbolic.to_latex import to_latex
+    from .._dynamics.symbolic.to_python import to_python
+    from .._dynamics.symbolic.to_sympy import to_sympy
     from ..reports.closed_form_json import closed_form_json
     from ..reports.json_values import json_text
 

@@ -21,11 +21,11 @@ from typing import Literal
 
 import numpy as np
 
+from .._dynamics.recursion import rnea
+from .._dynamics.regressor import torque_regressor
 from .._robot.inertia import Inertia, parameter_map
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..dynamics.newton_euler import rnea
-from ..dynamics.regressor import torque_regressor
 from .pair import Pair, Side
 from .shares import shares, weight
 

@@ -7,10 +7,10 @@ from itertools import product
 
 import numpy as np
 
+from .._dynamics.regressor import torque_regressor
 from .._robot.inertia import parameter_map
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..dynamics.regressor import torque_regressor
 from .attribution import PARAMETER_OWNERS, Attribution, Owner, attribute
 from .pair import Pair, Side
 from .shares import weight

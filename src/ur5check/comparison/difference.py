@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._dynamics.batching import gravity_of
+from .._dynamics.recursion import rnea
 from .._io.loading import ArmSource, load
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
 from .._robot.transforms import Array
-from ..dynamics.batching import gravity_of
-from ..dynamics.newton_euler import rnea
 from .attribution import Attribution, attribute
 from .motion import ToolError, TorqueError, compare_tools, compare_torques
 from .pair import Pair, pair_up

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._dynamics.kinematics import forward_kinematics
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..dynamics.kinematics import forward_kinematics
 from .pair import Pair
 
 __all__ = ["ToolError", "TorqueError", "compare_tools", "compare_torques", "tool_errors"]

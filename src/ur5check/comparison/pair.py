@@ -7,10 +7,10 @@ from typing import Literal
 
 import numpy as np
 
+from .._dynamics.kinematics import link_frames
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array, Transform
-from ..dynamics.kinematics import link_frames
 from .alignment import (
     SAME_ANGLE,
     SAME_LENGTH,

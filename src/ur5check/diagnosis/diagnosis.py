@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._dynamics.recursion import rnea
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States
 from ..comparison.pair import Pair, Side
-from ..dynamics.newton_euler import rnea
 from .body import body_of, with_body
 from .mistake import changed
 from .reading import Explained, Kind, Reading, best_reading

@@ -18,13 +18,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._dynamics.recursion import rnea
+from .._dynamics.regressor import torque_regressor
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States
 from .._robot.transforms import Array
 from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
 from ..comparison.pair import Pair, Side
-from ..dynamics.newton_euler import rnea
-from ..dynamics.regressor import torque_regressor
 from .corrections import STEPS, Arms
 from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
 

@@ -14,10 +14,10 @@ from operator import add
 
 import numpy as np
 
+from .._dynamics.kinematics import link_frames
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import Joint, SerialArm
 from .._robot.transforms import Array, Transform
-from ..dynamics.kinematics import link_frames
 
 __all__ = ["HeldBody", "Holdings", "believed_arm", "moving_inertias", "strict_holdings"]
 

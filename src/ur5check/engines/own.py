@@ -11,10 +11,11 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from .._dynamics import equations, kinematics, regressor
+from .._dynamics import recursion as newton_euler
+from .._dynamics.batching import gravity_of
 from .._robot.serial_arm import SerialArm
 from .._version import __version__
-from ..dynamics import equations, kinematics, newton_euler, regressor
-from ..dynamics.batching import gravity_of
 from .holdings import Holdings, strict_holdings
 
 __all__ = ["OwnEngine"]

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._dynamics.kinematics import link_frames
 from .._robot.transforms import Array
-from ..dynamics.kinematics import link_frames
 from ..simulation.standing import STILL, Standing
 from .style import BLUE, GREY, INK, ORANGE, bare, new_figure, titled
 

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._dynamics.recursion import rnea
+from .._dynamics.regressor import torque_regressor
 from .._robot.states import States
 from .._robot.transforms import Array
 from ..comparison.pair import Pair
-from ..dynamics.newton_euler import rnea
-from ..dynamics.regressor import torque_regressor
 from .identifiability import Identifiability, identify
 
 __all__ = ["TOLERANCE", "Equivalence", "VisibleSplit", "equivalence", "split"]

@@ -24,12 +24,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._dynamics.base_parameters import SAME_DIRECTION, decompose
+from .._dynamics.regressor import torque_regressor
 from .._robot.inertia import PARAMETERS, parameter_map
 from .._robot.serial_arm import SerialArm
 from .._robot.states import random_states
 from .._robot.transforms import Array, frozen
-from ..dynamics.regressor import torque_regressor
-from .base_parameters import SAME_DIRECTION, decompose
 
 __all__ = [
     "CERTAIN_GAP",

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from .._dynamics.equations import gravity_torque
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import SerialArm
-from ..dynamics.equations import gravity_torque
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .models import PINOCCHIO

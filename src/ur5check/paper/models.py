@@ -13,11 +13,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from .._dynamics.equations import gravity_torque
 from .._io.loading import load
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from ..comparison.pair import pair_up
-from ..dynamics.equations import gravity_torque
 from ..engines.engine import Engine
 
 __all__ = ["PINOCCHIO", "PRINTED", "REPAIRED", "Form", "Model", "load_models", "referee_model"]

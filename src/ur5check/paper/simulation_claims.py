@@ -10,9 +10,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from .._dynamics.kinematics import link_frames
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..dynamics.kinematics import link_frames
 from ..simulation.standing import STILL, stand
 from .cases import case
 from .claim import Claim, ClaimOutcome, Trial, judged

@@ -12,9 +12,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._dynamics.kinematics import link_frames
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..dynamics.kinematics import link_frames
 
 __all__ = ["axes_in_space", "holding_torque", "nothing_to_hold"]
 

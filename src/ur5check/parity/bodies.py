@@ -15,11 +15,11 @@ from itertools import combinations
 
 import numpy as np
 
+from .._dynamics.kinematics import link_frames
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array, Transform
 from ..comparison.shares import shares
-from ..dynamics.kinematics import link_frames
 from ..engines.holdings import Holdings
 from .import_difference import ImportDifference, Kind
 from .rounding import parameter_rounding

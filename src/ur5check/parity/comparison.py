@@ -13,12 +13,12 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
+from .._dynamics.batching import gravity_of
+from .._dynamics.recursion import rnea
 from .._io.loading import ArmSource, load
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
 from .._robot.transforms import Array
-from ..dynamics.batching import gravity_of
-from ..dynamics.newton_euler import rnea
 from ..engines.habits import remedied
 from ..engines.registry import REGISTRY, engine_class, installed
 from .matrix import Matrix, matrix_of

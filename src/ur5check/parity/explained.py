@@ -14,9 +14,9 @@ from itertools import product
 
 import numpy as np
 
+from .._dynamics.recursion import rnea
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..dynamics.newton_euler import rnea
 from .import_difference import Kind
 from .imports import Import
 from .rounding import torque_rounding

@@ -13,11 +13,11 @@ from functools import cached_property
 
 import numpy as np
 
+from .._dynamics.equations import gravity_torque
+from .._dynamics.regressor import torque_regressor
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..dynamics.equations import gravity_torque
-from ..dynamics.regressor import torque_regressor
 from ..engines.habits import habit_for
 from ..engines.holdings import Holdings, believed_arm
 from .bodies import body_differences

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
+from .._dynamics.symbolic.program import Operations
 from ..benchmarking.result import Benchmark, Chapter, OperationCount, Profile
 from ..benchmarking.story import tell
-from ..closed_form.program import Operations
 from .json_head import json_head
 from .json_values import Report, model_value, strict
 

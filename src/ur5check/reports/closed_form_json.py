@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from .._dynamics.symbolic.derivation import Derivation
+from .._dynamics.symbolic.program import Assignment, Operations
 from .._robot.serial_arm import SerialArm
-from ..closed_form.derivation import Derivation
-from ..closed_form.program import Assignment, Operations
 from .json_head import json_head
 from .json_values import Report, model_value, strict
 

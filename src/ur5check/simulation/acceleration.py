@@ -1,6 +1,6 @@
 """q̈ of one state, from one sweep of the recursion: M's columns and C q̇ + g side by side.
 
-`dynamics.equations.forward_dynamics` runs the recursion n + 1 times, which is best for thousands
+`_dynamics.equations.forward_dynamics` runs the recursion n + 1 times, which is best for thousands
 of states at once.  An integrator asks for one state after the other, where the cost is the number
 of sweeps: here n + 1 columns go through a single one, five times as fast.
 
@@ -14,13 +14,13 @@ from collections.abc import Callable
 
 import numpy as np
 
+from .._dynamics.batching import JointState, evaluate
+from .._dynamics.chain_constants import chain_of
+from .._dynamics.recursion import joint_torques
+from .._dynamics.vectors import Scalar, Vector
 from .._errors import StateError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..dynamics.batching import JointState, evaluate
-from ..dynamics.chain import chain_of
-from ..dynamics.newton_euler import joint_torques
-from ..dynamics.vectors import Scalar, Vector
 
 __all__ = ["Acceleration", "acceleration_of"]
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._dynamics.equations import gravity_torque, mass_matrix
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..dynamics.equations import gravity_torque, mass_matrix
 
 __all__ = ["gravity_stiffness", "growth_rate"]
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._dynamics.equations import kinetic_energy, potential_energy
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..dynamics.equations import kinetic_energy, potential_energy
 
 __all__ = ["EnergyBalance", "Motion", "energy_balance"]
 
@@ -64,7 +64,7 @@ class EnergyBalance:
 def energy_balance(arm: SerialArm, motion: Motion) -> EnergyBalance:
     """The balance of a motion, by the arm's own energies.
 
-    Both energies come from velocities and heights (`dynamics.equations`), not from the mass matrix
+    Both energies come from velocities and heights (`_dynamics.equations`), not from the mass matrix
     and the torques that moved the arm: two different calculations.
     """
     kinetic = kinetic_energy(arm, motion.q, motion.qd)

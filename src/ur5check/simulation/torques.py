@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+from .._dynamics.equations import gravity_torque
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..dynamics.equations import gravity_torque
 
 __all__ = ["Held", "Recomputed", "TorqueSource"]
 

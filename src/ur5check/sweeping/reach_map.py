@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .._dynamics.batching import JointState, evaluate
+from .._dynamics.chain_constants import chain_of
+from .._dynamics.vectors import ZERO, Scalar, Vector
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..dynamics.batching import JointState, evaluate
-from ..dynamics.chain import chain_of
-from ..dynamics.vectors import ZERO, Scalar, Vector
 
 __all__ = ["HEIGHTS", "RADII", "ReachGrid", "reach_grid", "tool_position"]
 

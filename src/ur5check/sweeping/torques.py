@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from .._dynamics.compiled.kernel import compile_difference
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..kernels.kernel import compile_difference
 
 __all__ = ["TorqueDifference", "torque_difference"]
 

@@ -12,12 +12,12 @@ from typing import Literal
 
 import numpy as np
 
+from .._dynamics.equations import gravity_torque
+from .._dynamics.recursion import rnea
 from .._errors import UsageError
 from .._robot.states import MAX_ACCELERATION, States
 from .._robot.transforms import Array
 from ..comparison.pair import Pair
-from ..dynamics.equations import gravity_torque
-from ..dynamics.newton_euler import rnea
 from .ascent import Ascent, Gain, Gap, joint_gain, squared_sum
 from .state_box import StateBox, effort_limits, state_box
 

@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Literal
 from xml.sax.saxutils import escape
 
+from ..._dynamics.equations import gravity_torque
 from ..._robot import SerialArm
 from ..._robot.transforms import Array
 from ..._version import __version__
-from ...dynamics.equations import gravity_torque
 from ..number_text import triple
 from ..ros_packages import PackageMap
 from ..urdf.urdf_reader import read_urdf

@@ -1,0 +1,41 @@
+"""What generated code depends on, as one hash: an arm's numbers, and the code that generates."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from ..._robot.serial_arm import SerialArm
+from ..._version import __version__
+
+__all__ = ["fingerprint"]
+
+
+def fingerprint(arms: Iterable[SerialArm], *words: str) -> str:
+    """A hash of the arms' geometry, inertias, motors and gravity, and of `words`.
+
+    Names and limits are no part of it: they change no torque.
+    """
+    digest = hashlib.sha256("\0".join([__version__, _makers(), *words]).encode())
+    for arm in arms:
+        digest.update(f"arm {arm.n}".encode())
+        for values in (arm.base.matrix(), arm.gravity, arm.parameters(), arm.armature):
+            digest.update(np.ascontiguousarray(values, dtype=np.float64).tobytes())
+        for joint, link in zip(arm.joints, arm.links, strict=True):
+            digest.update(joint.kind.encode())
+            digest.update(np.ascontiguousarray(joint.axis).tobytes())
+            digest.update(np.ascontiguousarray(link.far_end.matrix()).tobytes())
+    return digest.hexdigest()[:32]
+
+
+@cache
+def _makers() -> str:
+    """A hash of the code itself: between two releases it changes, and the version does not."""
+    digest = hashlib.sha256()
+    for file in sorted(Path(__file__).parents[1].rglob("*.py")):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()

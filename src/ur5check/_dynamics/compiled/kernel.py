@@ -1,0 +1,226 @@
+"""`ur5check.compile`: one arm's dynamics as straight-line code, for arrays of states.
+
+Each quantity is traced once from the recursion (`closed_form`), regrouped and factored, compiled by
+LLVM where llvmlite is installed, and kept on disk.  Without it the same lines run on NumPy, a block
+of states at a time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.util import find_spec
+from threading import Lock
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..._errors import UsageError
+from ..._robot.serial_arm import SerialArm
+from ..._robot.transforms import Array
+from .fingerprint import fingerprint
+from .kernel_arrays import Layout, as_states, empty_result, refuse_unless_finite
+from .kernel_cache import kept
+
+__all__ = ["DifferenceKernel", "Kernel", "Path", "compile", "compile_difference", "default_path"]
+
+#: What runs the lines.
+Path = Literal["llvm", "numpy"]
+
+#: (q, qd, qdd, out) of shape (N, …), None for what a quantity does not depend on.
+_Run = Callable[[Array, Array | None, Array | None, Array], None]
+
+#: A thread waits for what another is making, and then finds it on disk.
+_ONE_AT_A_TIME = Lock()
+
+
+def default_path() -> Path:
+    """LLVM where llvmlite is installed, else NumPy."""
+    return "llvm" if find_spec("llvmlite") else "numpy"
+
+
+def compile(  # noqa: A001 - the word for it
+    arm: SerialArm, threads: int = 1, *, path: Path | None = None
+) -> Kernel:
+    """Compiled dynamics of an arm under its own gravity.
+
+    threads : states are shared among so many; machine code runs outside Python's lock
+    path : "llvm" (`ur5check[fast]`) or "numpy"; None: LLVM where llvmlite is installed
+
+    A quantity is compiled when it is first asked for, and found on disk by the arm's numbers later
+    (`cache`).  Raises UsageError for a number of threads below 1 or a path that is not here.
+    """
+    return Kernel(arm, *_checked(threads, path))
+
+
+def compile_difference(
+    a: SerialArm, b: SerialArm, threads: int = 1, *, path: Path | None = None
+) -> DifferenceKernel:
+    """τ_a − τ_b of two arms in one set of joint coordinates (`comparison.pair` makes them so).
+
+    Raises UsageError as `compile`, and for arms of different length.
+    """
+    return DifferenceKernel(a, b, *_checked(threads, path))
+
+
+@dataclass(frozen=True, eq=False)
+class Kernel:
+    """Functions of one arm.
+
+    Joint arrays are float64 of shape (N, n) with layout="states", (n, N) with layout="joints", or
+    one state of shape (n,); none is copied.  Results are (N, *shape) or (*shape, N) likewise;
+    `out` takes them where it is given.  Each function raises StateError for another shape, and for
+    entries that are no finite numbers.
+    """
+
+    arm: SerialArm
+    threads: int
+    path: Path
+
+    def rnea(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike,
+        qdd: ArrayLike,
+        *,
+        layout: Layout = "states",
+        out: Array | None = None,
+    ) -> Array:
+        """τ = M q̈ + C q̇ + g, shape (N, n) [N m]."""
+        return self._ask("tau", (self.arm.n,), {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+
+    def mass_matrix(
+        self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
+    ) -> Array:
+        """M(q), shape (N, n, n) [kg m²]."""
+        return self._ask("M", (self.arm.n, self.arm.n), {"q": q}, layout, out)
+
+    def coriolis_matrix(
+        self, q: ArrayLike, qd: ArrayLike, *, layout: Layout = "states", out: Array | None = None
+    ) -> Array:
+        """C(q, q̇) of Christoffel symbols, shape (N, n, n) [N m s]."""
+        return self._ask("C", (self.arm.n, self.arm.n), {"q": q, "qd": qd}, layout, out)
+
+    def gravity_torque(
+        self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
+    ) -> Array:
+        """g(q), shape (N, n) [N m]."""
+        return self._ask("g", (self.arm.n,), {"q": q}, layout, out)
+
+    def torque_regressor(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike,
+        qdd: ArrayLike,
+        *,
+        layout: Layout = "states",
+        out: Array | None = None,
+    ) -> Array:
+        """Y(q, q̇, q̈), shape (N, n, 10 n), in the order of `ur5check.torque_regressor`."""
+        shape = (self.arm.n, 10 * self.arm.n)
+        return self._ask("regressor", shape, {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+
+    def _ask(
+        self,
+        quantity: Any,
+        shape: tuple[int, ...],
+        arrays: dict[str, ArrayLike],
+        layout: Layout,
+        out: Array | None,
+    ) -> Array:
+        run = _code((self.arm,), quantity, self.path)
+        return _shared(run, self.arm, self.threads, shape, arrays, layout, out)
+
+
+@dataclass(frozen=True, eq=False)
+class DifferenceKernel:
+    """The torque difference of two arms; what both need is worked out once a state."""
+
+    a: SerialArm
+    b: SerialArm
+    threads: int
+    path: Path
+
+    def __call__(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike,
+        qdd: ArrayLike,
+        *,
+        layout: Layout = "states",
+        out: Array | None = None,
+    ) -> Array:
+        """τ_a − τ_b, shape (N, n) [N m]; arrays and errors as in `Kernel`."""
+        run = _code((self.a, self.b), "difference", self.path)
+        arrays = {"q": q, "qd": qd, "qdd": qdd}
+        return _shared(run, self.a, self.threads, (self.a.n,), arrays, layout, out)
+
+
+@lru_cache(maxsize=64)
+def _code(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> _Run:
+    """The generated code of one arm, or of two and their difference.
+
+    Arms never change, so each is looked up once.
+    """
+
+    def make() -> bytes:
+        from .kernel_source import made  # takes longer than finding it on disk
+
+        return made(arms, quantity, path)
+
+    with _ONE_AT_A_TIME:
+        if path == "numpy":
+            key = fingerprint(arms, quantity, path)
+            names: dict[str, Any] = {}
+            exec(kept(f"{quantity}_{key}.py", make), names)  # noqa: S102 - our own text
+            python: _Run = names["run"]
+            return python
+        from .machine_code import MachineCode, processor
+
+        key = fingerprint(arms, quantity, path, processor())
+        return MachineCode(kept(f"{quantity}_{key}.o", make))
+
+
+def _shared(
+    run: _Run,
+    arm: SerialArm,
+    threads: int,
+    shape: tuple[int, ...],
+    arrays: dict[str, ArrayLike],
+    layout: Layout,
+    out: Array | None,
+) -> Array:
+    """Run it on the states, shared among threads."""
+    views, single = as_states(arm, arrays, layout)
+    count = len(views["q"])
+    result, flat = empty_result(count, shape, layout, out)
+
+    def share(part: slice) -> None:
+        qd, qdd = (views[name][part] if name in views else None for name in ("qd", "qdd"))
+        run(views["q"][part], qd, qdd, flat[part])
+
+    if threads == 1 or count < 2 * threads:
+        share(slice(None))
+    else:
+        edges = np.linspace(0, count, threads + 1).astype(int)
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(share, map(slice, edges[:-1], edges[1:])))
+    refuse_unless_finite(arm, views, flat)
+    if not single:
+        return result
+    one: Array = result[0] if layout == "states" else result[..., 0]
+    return one
+
+
+def _checked(threads: int, path: Path | None) -> tuple[int, Path]:
+    if threads < 1:
+        raise UsageError(f"threads must be at least 1, not {threads}")
+    path = path or default_path()
+    if path not in get_args(Path):
+        raise UsageError(f"path must be one of {', '.join(get_args(Path))}, not {path!r}")
+    if path == "llvm" and default_path() != "llvm":
+        raise UsageError("llvmlite is not installed; pip install 'ur5check[fast]', or path='numpy'")
+    return threads, path

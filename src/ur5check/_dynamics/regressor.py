@@ -1,0 +1,94 @@
+"""τ = Y(q, q̇, q̈) π: torque is linear in the ten inertial parameters of each link.
+
+Parameter order within a link is that of Pinocchio's `Inertia.toDynamicParameters`, m, m c, and the
+tensor about the *origin* of frame i: Ixx Ixy Iyy Ixz Iyz Izz (`arm.PARAMETERS`).  With a the
+acceleration of frame i's origin less gravity, the link asks of its joint side, about that origin,
+
+    f = m a + α × (m c) + ω × (ω × m c)
+    n = (m c) × a + I_o α + ω × I_o ω
+
+which is linear in (m, m c, I_o) by inspection (Khalil & Dombre, Modeling, Identification and
+Control of Robots, 2002, ch. 9).  Each parameter's wrench then travels down the arm as eqs (14) and
+(15) of the paper carry f and τ.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numpy.typing import ArrayLike, NDArray
+
+from .._robot.serial_arm import SerialArm
+from .batching import JointState, evaluate, gravity_of
+from .chain_constants import Chain, chain_of
+from .recursion import LinkMotion, outward
+from .vectors import ZERO, Scalar, Vector
+
+__all__ = ["regressor_rows", "torque_regressor"]
+
+_AXES = (Vector(1.0, 0.0, 0.0), Vector(0.0, 1.0, 0.0), Vector(0.0, 0.0, 1.0))
+_TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
+
+
+def torque_regressor(
+    arm: SerialArm,
+    q: ArrayLike,
+    qd: ArrayLike,
+    qdd: ArrayLike,
+    gravity: ArrayLike | None = None,
+) -> NDArray[Any]:
+    """Y(q, q̇, q̈), shape (..., n, 10 n), with rnea(arm, …) = Y @ arm.parameters() + armature ∘ q̈.
+
+    Parameters as in `rnea`; columns 10 i … 10 i + 9 belong to link i + 1, in that link's frame.
+    Y depends on the arm's geometry and gravity only, not on its inertias.
+
+    Raises StateError as `rnea` does.
+    """
+    chain = chain_of(arm)
+    g_0 = chain.inner_gravity(gravity_of(arm, gravity))
+
+    def compute(state: JointState) -> list[Scalar]:
+        return regressor_rows(chain, outward(chain, state, g_0))
+
+    return evaluate(arm, compute, (arm.n, 10 * arm.n), q, qd, qdd)
+
+
+def regressor_rows(chain: Chain, motions: list[LinkMotion]) -> list[Scalar]:
+    """Y of one block of states, row by row."""
+    n = len(chain.links)
+    Y = [[0.0] * (10 * n) for _ in range(n)]
+    for i, motion in enumerate(motions):
+        for k, (f, moment) in enumerate(_unit_wrenches(motion)):
+            _carry_down(motions[: i + 1], f, moment, Y, 10 * i + k)
+    return [entry for row in Y for entry in row]
+
+
+def _unit_wrenches(motion: LinkMotion) -> list[tuple[Vector, Vector]]:
+    """(f, n) about the origin of frame i, for one unit of each of the ten parameters."""
+    w, dw = motion.w, motion.dw
+    a = motion.acceleration_at(motion.r) - motion.g
+    wrenches = [(a, ZERO)]
+    for axis in _AXES:
+        wrenches.append((dw.cross(axis) + w.cross(w.cross(axis)), axis.cross(a)))
+    for row, column in _TENSOR_ENTRIES:
+        moment = _unit_tensor(row, column, dw) + w.cross(_unit_tensor(row, column, w))
+        wrenches.append((ZERO, moment))
+    return wrenches
+
+
+def _unit_tensor(row: int, column: int, v: Vector) -> Vector:
+    """E v, for the symmetric matrix E with ones at (row, column) and (column, row)."""
+    components = tuple(v)
+    product: Vector = _AXES[row] * components[column]
+    return product if row == column else product + _AXES[column] * components[row]
+
+
+def _carry_down(
+    motions: list[LinkMotion], f: Vector, moment: Vector, Y: list[list[Scalar]], column: int
+) -> None:
+    """What each joint from link i down to the base feels of a wrench at the origin of frame i."""
+    for joint in range(len(motions) - 1, -1, -1):
+        motion = motions[joint]
+        moment = moment + motion.r.cross(f)  # now about origin i−1, still in frame i
+        Y[joint][column] = motion.link.b.dot(f if motion.link.prismatic else moment)
+        f, moment = motion.R @ f, motion.R @ moment

@@ -1,0 +1,65 @@
+"""A program as SymPy sees it, as source text and as expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from .infix_text import comments, right_hand_side
+from .program import Assignment, Program, read_input, state_names
+
+__all__ = ["expressions", "to_sympy"]
+
+
+def to_sympy(program: Program, *, head: Sequence[str] = ()) -> str:
+    """A module that builds the closed form: `replacements` and a Matrix named after the quantity.
+
+    They go together as SymPy's own `cse` returns them: each replacement is (symbol, expression),
+    written in joint symbols q1, qd1, qdd1 and in symbols that stand above it.
+
+    head : lines for the top of the file, such as where it came from; they become comments
+    """
+    lines = [line.name for line in (*program.setup, *program.assignments)]
+    rows, columns = (*program.shape, 1)[:2]
+    text = [
+        *comments("#", program, head),
+        "import sympy",
+        "",
+        *(
+            f"{''.join(f'{name}, ' for name in state_names(kind, program.n))}"
+            f'= sympy.symbols("{kind}1:{program.n + 1}")'
+            for kind in program.arguments
+        ),
+        *(f'{name} = sympy.Symbol("{name}")' for name in (*program.parameters, *lines)),
+        *(f"{name} = {_read(name)}" for name in program.inputs if _read(name) != name),
+        "replacements = [",
+        *(f"    ({line.name}, {_exact(line)})," for line in (*program.setup, *program.assignments)),
+        "]",
+        f"{program.quantity} = sympy.Matrix({rows}, {columns}, [",
+        *(f"    {_exact(line)}," for line in program.outputs),
+        "])",
+    ]
+    return "\n".join(text) + "\n"
+
+
+def expressions(program: Program) -> Any:
+    """The closed form written out: a SymPy Matrix in q1, qd1, qdd1 and parameters alone.
+
+    Right for M and g.  A UR5's torques written out fill books: use `to_sympy`'s replacements.
+    """
+    module: dict[str, Any] = {}
+    exec(to_sympy(program), module)  # noqa: S102 - what we wrote a line above
+    known: dict[Any, Any] = {}
+    for symbol, value in module["replacements"]:
+        known[symbol] = value.xreplace(known)
+    return module[program.quantity].xreplace(known)
+
+
+def _exact(line: Assignment) -> str:
+    """Zero as an Integer: a Float zero would not be `sympy.S.Zero`."""
+    return right_hand_side(line) if line.terms else "0"
+
+
+def _read(name: str) -> str:
+    kind, joint = read_input(name)
+    return {"c": "sympy.cos(q{})", "s": "sympy.sin(q{})"}.get(kind, kind + "{}").format(joint + 1)

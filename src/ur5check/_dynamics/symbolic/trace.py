@@ -1,0 +1,190 @@
+"""A quantity of an arm as a program: the recursion of `dynamics`, run once on symbols.
+
+    program = trace(load("paper"), "tau")
+    program.operations          # 192 × and 135 +, 327 in all
+    program.evaluate(q, qd, qdd)
+
+Three things keep the program short.  The scalars share and fold as the recursion goes (`graph`);
+numbers that no torque sees are chosen to vanish (`regroup`); and what is left is factored
+(`factoring`).  Gravity enters as an acceleration of the base, which spares a vector a link.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+
+from ..._errors import UsageError
+from ..._robot.serial_arm import SerialArm
+from ..chain_constants import Chain, chain_of
+from ..vectors import ZERO, Scalar, Vector
+from .expression_graph import Graph
+from .factoring import factored
+from .graph_nodes import Node
+from .known_zeros import vanishing
+from .parameter_regrouping import regroupings
+from .program import Operations, Program
+from .program_assembly import assemble
+from .quantities import QUANTITIES, Asked, Quantity, Recipe, symbolic_state
+from .sums_of_products import Line, cost, lines_of
+from .symbolic_arm import Symbols
+
+__all__ = ["Parameters", "as_written", "trace", "trace_difference"]
+
+Parameters = Literal["numeric", "symbolic"]
+
+_TRIES, _SHORT = 100, 8  # so that a derivation takes a second
+_FINALISTS = 3  # last finds that are factored, with the first two, before the best is chosen
+
+
+def trace(
+    arm: SerialArm,
+    quantity: Quantity = "tau",
+    *,
+    parameters: Parameters = "numeric",
+    regroup: bool = True,
+    tries: int | None = None,
+) -> Program:
+    """The closed form of one quantity.
+
+    parameters : "numeric", the arm's numbers folded in, or "symbolic", left as inputs (`symbols`)
+    regroup : whether numbers that no torque sees may be chosen anew; the values stay the same to
+        rounding.  Symbols are left as they are, and a regressor has no inertias to regroup
+    tries : how many regroupings to look at beyond the first, 5 ms each for a UR5; None: 100 for
+        arms of up to 8 joints, none for longer ones
+
+    Raises UsageError for a quantity that there is none of.
+    """
+    recipe = _recipe(quantity)
+    graph = Graph()
+    symbols = Symbols(graph)
+    if parameters == "symbolic":
+        chain, gravity = symbols.chain(arm), symbols.gravity(arm)
+    else:
+        gravity = Vector.of(arm.gravity)
+        regroup = regroup and quantity != "regressor"
+        chain = _cheapest(arm, gravity, quantity, tries) if regroup else chain_of(arm)
+    entries = _entries(graph, chain, gravity, quantity)
+
+    def program(entries: Sequence[Scalar]) -> Program:
+        return assemble(
+            graph,
+            entries,
+            arm=arm.name,
+            n=arm.n,
+            quantity=quantity,
+            unit=recipe.unit,
+            shape=recipe.shape(arm.n),
+            parameters=symbols.values,
+        )
+
+    first = program(entries)
+    zero = vanishing(first)
+    if not zero.any():
+        return first
+    return program([0.0 if gone else entry for gone, entry in zip(zero, entries, strict=True)])
+
+
+def as_written(
+    arm: SerialArm, quantity: Quantity = "tau", *, parameters: Parameters = "numeric"
+) -> Operations:
+    """What the recursion costs as it is written, gravity carried along, each equal value once."""
+    graph = Graph(simplify=False)
+    symbols = Symbols(graph)
+    numeric = parameters == "numeric"
+    chain = chain_of(arm) if numeric else symbols.chain(arm)
+    gravity = Vector.of(arm.gravity) if numeric else symbols.gravity(arm)
+    asked = Asked(chain, symbolic_state(graph, arm.n), gravity=chain.base.T @ gravity, lift=ZERO)
+    return graph.operations(_recipe(quantity).entries(asked))
+
+
+def trace_difference(a: SerialArm, b: SerialArm) -> Program:
+    """τ_a − τ_b at the same q, q̇, q̈ as one program.
+
+    The arms must be held in the same joint coordinates, as `comparison.pair` makes them.  What both
+    need is worked out once.  Arms that differ in nothing but their inertias need no two torques at
+    all: torque is linear in π, so that the difference is the torque of π_a − π_b.
+
+    Raises UsageError for arms of different length.
+    """
+    if a.n != b.n:
+        raise UsageError(f"arm {a.name!r} has {a.n} joints and {b.name!r} has {b.n}")
+    graph = Graph()
+    if _move_alike(a, b):
+        gravity = Vector.of(a.gravity)
+        entries = _entries(graph, _cheapest(a, gravity, "tau", less=b), gravity, "tau")
+    else:
+        both = (_entries(graph, chain_of(arm), Vector.of(arm.gravity), "tau") for arm in (a, b))
+        entries = [x - y for x, y in zip(*both, strict=True)]
+    return assemble(
+        graph,
+        entries,
+        arm=f"{a.name} − {b.name}",
+        n=a.n,
+        quantity="difference",
+        unit="N m",
+        shape=(a.n,),
+        parameters={},
+    )
+
+
+def _recipe(quantity: Quantity) -> Recipe:
+    if quantity not in QUANTITIES:
+        raise UsageError(f"no quantity {quantity!r}; choose one of {', '.join(QUANTITIES)}")
+    return QUANTITIES[quantity]
+
+
+def _entries(graph: Graph, chain: Chain, gravity: Vector, quantity: Quantity) -> list[Scalar]:
+    lift = (chain.base.T @ gravity) * -1.0
+    asked = Asked(chain, symbolic_state(graph, len(chain.links)), gravity=ZERO, lift=lift)
+    return QUANTITIES[quantity].entries(asked)
+
+
+def _move_alike(a: SerialArm, b: SerialArm) -> bool:
+    """Whether two arms have one geometry and one gravity, to the bit."""
+    return (
+        np.array_equal(a.gravity, b.gravity)
+        and np.array_equal(a.base.matrix(), b.base.matrix())
+        and all(
+            i.kind == j.kind and np.array_equal(i.axis, j.axis)
+            for i, j in zip(a.joints, b.joints, strict=True)
+        )
+        and all(
+            np.array_equal(i.far_end.matrix(), j.far_end.matrix())
+            for i, j in zip(a.links, b.links, strict=True)
+        )
+    )
+
+
+def _cheapest(
+    arm: SerialArm,
+    gravity: Vector,
+    quantity: Quantity,
+    tries: int | None = None,
+    less: SerialArm | None = None,
+) -> Chain:
+    """The chain that leaves fewest operations.
+
+    Factoring takes thirty times as long as tracing, so the search goes by the operations before it,
+    and the last few finds are factored.  C's is guided by the velocity torque that it derives from.
+    """
+    guide: Quantity = "bias" if quantity == "C" else quantity
+
+    def lines(chain: Chain, quantity: Quantity) -> tuple[dict[Node, Line], Node]:
+        graph = Graph(simplify=False)
+        entries = _entries(graph, chain, gravity, quantity)
+        return lines_of(graph, entries), len(graph.nodes)
+
+    if tries is None:
+        tries = _TRIES if arm.n <= _SHORT else 0
+    found = regroupings(arm, lambda chain: _total(lines(chain, guide)[0]), tries=tries, less=less)
+    finalists = [*found[:2], *found[2:][-_FINALISTS:]]
+    if len(finalists) == 1:
+        return finalists[0]
+    return min(finalists, key=lambda chain: _total(factored(*lines(chain, quantity))))
+
+
+def _total(lines: dict[Node, Line]) -> int:
+    return sum(cost(line) for line in lines.values())
