@@ -13,12 +13,12 @@ from contextlib import redirect_stdout
 from io import StringIO
 from pathlib import Path
 
-from ur5check.engines.habits import HABITS
-from ur5check.engines.registry import REGISTRY
-from ur5check.parity.comparison import SAME_ROBOT, EngineReport, compare_engines
-from ur5check.parity.fleet import FLEET_SAMPLES, FleetReport, compare_fleet
-from ur5check.parity.import_difference import KINDS
-from ur5check.parity.story import deed
+from ur5check._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, compare_engines
+from ur5check._engines.audit.fleet_comparison import FLEET_SAMPLES, FleetReport, compare_fleet
+from ur5check._engines.audit.import_difference import KINDS
+from ur5check._engines.known_issues import HABITS
+from ur5check._engines.registry import REGISTRY
+from ur5check._reports.engines_summary import deed
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "engines.md"

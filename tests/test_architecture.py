@@ -16,14 +16,14 @@ ROOT = Path(ur5check.__file__).parent
 #: Third-party engines, and the files that may import them.
 ENGINES = {
     "pinocchio": {
-        "engines/pinocchio.py",
+        "_engines/pinocchio.py",
         "_io/pinocchio_model.py",
         "benchmarking/pinocchio_calls.py",
     },
-    "mujoco": {"engines/mujoco.py", "_io/mjcf/mjcf_reader.py"},
-    "pydrake": {"engines/drake.py", "_io/sdf/sdf_reader.py"},
-    "dartpy": {"engines/dart.py"},
-    "idyntree": {"engines/idyntree.py"},
+    "mujoco": {"_engines/mujoco.py", "_io/mjcf/mjcf_reader.py"},
+    "pydrake": {"_engines/drake.py", "_io/sdf/sdf_reader.py"},
+    "dartpy": {"_engines/dart.py"},
+    "idyntree": {"_engines/idyntree.py"},
 }
 
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))
@@ -163,7 +163,7 @@ def test_importing_ur5check_loads_nothing_heavy():
 
 
 def test_the_registry_of_engines_loads_none_of_them():
-    asked = "from ur5check.engines.registry import installed; installed()"
+    asked = "from ur5check._engines.registry import installed; installed()"
     assert not loaded_after(asked) & set(ENGINES)
 
 

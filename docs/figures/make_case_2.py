@@ -16,8 +16,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import ur5check
+from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._robot.transforms import Array
-from ur5check.engines.pinocchio import PinocchioEngine
 
 HERE = Path(__file__).resolve().parent
 ORANGE, BLUE, INK = "#D55E00", "#0072B2", "#333333"  # Okabe and Ito: told apart by every eye

@@ -27,17 +27,17 @@ if TYPE_CHECKING:
     from ._dynamics.kinematics import forward_kinematics
     from ._dynamics.recursion import rnea
     from ._dynamics.regressor import torque_regressor
+    from ._engines.audit.engine_comparison import compare_engines
     from ._io.loading import load
     from ._robot.serial_arm import SerialArm
     from .checks.validation import validate
     from .comparison.difference import diff
     from .explanation.explanation import explain
-    from .parity.comparison import compare_engines
     from .sweeping.sweep import sweep
 
 _HOMES = {
     "SerialArm": "._robot.serial_arm",
-    "compare_engines": ".parity.comparison",
+    "compare_engines": "._engines.audit.engine_comparison",
     "compile": "._dynamics.compiled.kernel",
     "coriolis_matrix": "._dynamics.equations",
     "diff": ".comparison.difference",

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import ur5check
+from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._robot.states import random_states
 from ur5check.benchmarking.benchmark import QUESTIONS, bench
@@ -14,7 +15,6 @@ from ur5check.benchmarking.memory import copy_of
 from ur5check.benchmarking.pinocchio_calls import PinocchioCalls
 from ur5check.benchmarking.result import Benchmark
 from ur5check.benchmarking.story import tell
-from ur5check.engines.pinocchio import PinocchioEngine
 
 #: What the fixture has measured.
 MEASURED = ("torques", "memory", "matrices", "states", "joints", "operations")

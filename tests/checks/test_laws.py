@@ -11,12 +11,12 @@ from hypothesis import given
 import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies
+from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.recursion_engine import OwnEngine
 from ur5check._robot.states import random_states
 from ur5check.checks.check import run
 from ur5check.checks.laws import LAWS
 from ur5check.checks.subject import Subject
-from ur5check.engines.own import OwnEngine
-from ur5check.engines.pinocchio import PinocchioEngine
 
 by_id = pytest.mark.parametrize("law", LAWS, ids=lambda law: law.id)
 

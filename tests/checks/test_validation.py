@@ -9,11 +9,11 @@ import pytest
 
 import ur5check
 from examples import random_arm
+from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._robot.states import random_states
 from ur5check.checks import story
 from ur5check.checks.validation import validate_arm
-from ur5check.engines.pinocchio import PinocchioEngine
 
 
 def test_the_paper_against_its_appendix_by_default():

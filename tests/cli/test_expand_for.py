@@ -10,8 +10,8 @@ from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import MultibodyPlant
 
 import ur5check as ur5
+from ur5check._engines.captured_warnings import listening
 from ur5check._robot.states import random_states
-from ur5check.engines.said import listening
 
 STATE = random_states(6, 1, seed=3)
 Q, QD, QDD = STATE.q[0], STATE.qd[0], STATE.qdd[0]

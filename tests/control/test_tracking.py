@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import ur5check
+from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.recursion_engine import OwnEngine
 from ur5check._errors import UsageError
 from ur5check.comparison.pair import pair_up
 from ur5check.control.computed_torque import ComputedTorque, effort_limits
@@ -14,8 +16,6 @@ from ur5check.control.gains import Gains
 from ur5check.control.law import FeedbackLaw
 from ur5check.control.tracking import LOST, track
 from ur5check.control.trajectory import Quintic
-from ur5check.engines.own import OwnEngine
-from ur5check.engines.pinocchio import PinocchioEngine
 from ur5check.simulation.integration import Precision
 
 APPENDIX = ur5check.load("appendix")

@@ -7,8 +7,8 @@ import pytest
 
 import ur5check
 from examples import UR5S, random_arm
+from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._robot.states import random_states
-from ur5check.engines.pinocchio import PinocchioEngine
 
 
 @pytest.mark.parametrize("name", UR5S)

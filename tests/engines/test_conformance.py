@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import ur5check
+from ur5check._engines import conformance
+from ur5check._engines.conformance_arms import URDF, handed_over, in_text
+from ur5check._engines.known_issues import remedied
+from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._engines.registry import REGISTRY, engine_class
 from ur5check._robot import Inertia, SerialArm
-from ur5check.engines import conformance
-from ur5check.engines.conformance_arms import URDF, handed_over, in_text
-from ur5check.engines.habits import remedied
-from ur5check.engines.own import OwnEngine
-from ur5check.engines.registry import REGISTRY, engine_class
 
 
 def maker(key):

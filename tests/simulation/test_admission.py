@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from moving_arms import APPENDIX, CASE_9
 
+from ur5check._engines.known_issues import remedied
+from ur5check._engines.registry import make_engine
 from ur5check._errors import EngineError, UsageError
-from ur5check.engines.habits import remedied
-from ur5check.engines.registry import make_engine
 from ur5check.simulation.acceleration import acceleration_of
 from ur5check.simulation.admission import STEPPERS, admit, turn_away_strangers
 from ur5check.simulation.flight import integrated, stepped

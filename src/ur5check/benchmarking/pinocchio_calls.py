@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
+from .._engines.pinocchio import PinocchioEngine
 from .._robot.serial_arm import SerialArm, Source
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..engines.pinocchio import PinocchioEngine
 
 __all__ = ["PinocchioCalls"]
 

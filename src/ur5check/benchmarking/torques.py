@@ -9,11 +9,11 @@ import numpy as np
 
 from .._dynamics.compiled import kernel
 from .._dynamics.recursion import rnea
+from .._engines.registry import REGISTRY, installed, make_engine
 from .._errors import EngineError
 from .._robot.serial_arm import SerialArm, Source
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..engines.registry import REGISTRY, installed, make_engine
 from .jax_calls import jax_contestant
 from .pinocchio_calls import PinocchioCalls
 from .result import Chapter

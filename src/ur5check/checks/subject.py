@@ -9,10 +9,10 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from .._engines.engine import Referee
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..engines.engine import Referee
 
 __all__ = ["STEP", "OwnDynamics", "Subject"]
 

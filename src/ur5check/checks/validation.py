@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
+from .._engines.engine import Referee
+from .._engines.recursion_engine import OwnEngine
 from .._io.loading import ArmSource, load
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
 from ..comparison.difference import Difference, compare, under_gravity
-from ..engines.engine import Referee
-from ..engines.own import OwnEngine
 from .check import Outcome, run
 from .laws import LAWS
 from .numbers import BODIES, PAIRS, PairSubject
@@ -104,7 +104,7 @@ def validate(
     InputError : a model that cannot be read, or arms that cannot be compared.
     EngineError : Pinocchio cannot take a model.
     """
-    from ..engines.pinocchio import PinocchioEngine
+    from .._engines.pinocchio import PinocchioEngine
 
     say = progress or (lambda line: None)
     arms = []

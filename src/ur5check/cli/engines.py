@@ -99,7 +99,7 @@ def _model(args: argparse.Namespace) -> int:
     (arm,) = arms = options.load(quiet=args.quiet)
     check_output(args.output, options.files(arms))
 
-    from ..parity.comparison import SAME_ROBOT, SAMPLES, compare_engines
+    from .._engines.audit.engine_comparison import SAME_ROBOT, SAMPLES, compare_engines
     from ..reports.parity_document import engines_document
     from ..reports.parity_json import engines_json
 
@@ -133,8 +133,8 @@ def _model(args: argparse.Namespace) -> int:
 def _fleet(args: argparse.Namespace) -> int:
     check_output(args.output, ())
 
-    from ..parity.comparison import SAME_ROBOT
-    from ..parity.fleet import FLEET_SAMPLES, compare_fleet
+    from .._engines.audit.engine_comparison import SAME_ROBOT
+    from .._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_fleet
     from ..reports.fleet_document import fleet_document
     from ..reports.parity_json import fleet_json
 

@@ -67,10 +67,10 @@ def run(args: argparse.Namespace) -> int:
 
 def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[str, str]) -> str:
     """The text that the engine reads rightly; says what was changed, and for which habit."""
+    from .._engines.known_issues import remedied_text
     from .._io.meshes.mesh_paths import with_mesh_paths
     from .._io.ros_packages import default_packages
     from .._io.urdf.urdf_checks import check_urdf
-    from ..engines.habits import remedied_text
 
     check_urdf(text.encode(), args.file)
     text, mended = remedied_text(text, args.reader)

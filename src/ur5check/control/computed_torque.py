@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._engines.engine import Engine
 from .._errors import UsageError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..engines.engine import Engine
 from .gains import Gains
 from .law import FeedbackLaw
 from .trajectory import Reference

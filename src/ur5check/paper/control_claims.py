@@ -11,13 +11,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from .._engines.engine import Engine
 from ..control.computed_torque import ComputedTorque
 from ..control.error_dynamics import poles
 from ..control.gains import Gains
 from ..control.law import FeedbackLaw
 from ..control.tracking import Tracking, track
 from ..control.trajectory import Quintic
-from ..engines.engine import Engine
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .models import Form
@@ -94,6 +94,6 @@ def _followed(law: FeedbackLaw, plant: Engine, *, off: float) -> Tracking:
 
 
 def _appendix(evidence: Evidence) -> Engine:
-    from ..engines.pinocchio import PinocchioEngine
+    from .._engines.pinocchio import PinocchioEngine
 
     return PinocchioEngine(evidence.model("appendix").arm)

@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 from .._dynamics.equations import gravity_torque
+from .._engines.engine import Engine
 from .._io.loading import load
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from ..comparison.pair import pair_up
-from ..engines.engine import Engine
 
 __all__ = ["PINOCCHIO", "PRINTED", "REPAIRED", "Form", "Model", "load_models", "referee_model"]
 
@@ -61,7 +61,7 @@ def load_models() -> tuple[Model, ...]:
     table_1 = load(REPAIRED)
     models = [_own(load(name), form, table_1) for name, form in _FORMS.items()]
     appendix = models[2]
-    from ..engines.pinocchio import PinocchioEngine
+    from .._engines.pinocchio import PinocchioEngine
 
     return (*models, referee_model(appendix, PinocchioEngine(appendix.arm)))
 

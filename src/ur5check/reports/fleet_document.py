@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ..parity.comparison import SAME_ROBOT, EngineReport, Stage
-from ..parity.fleet import FleetReport
-from ..parity.story import deed
+from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, Stage
+from .._engines.audit.fleet_comparison import FleetReport
+from .._reports.engines_summary import deed
 from .document import Column, Document, Row, Section, Table, Verdict
 from .provenance import Provenance, inputs_of
 from .wording import joined, residue

@@ -58,7 +58,7 @@ def difference_json(
 
 
 def arm_json(arm: SerialArm, *, command: str = "") -> Report:
-    """`show` as ur5check._robot/1."""
+    """`show` as ur5check.robot/1."""
     return strict(
         {
             **json_head("arm", [arm], command),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..engines.registry import REGISTRY
-from ..parity.comparison import SAME_ROBOT, EngineReport, Stage
-from ..parity.import_difference import ImportDifference
-from ..parity.reading import Reading
-from ..parity.story import tell
+from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, Stage
+from .._engines.audit.engine_reading import Reading
+from .._engines.audit.import_difference import ImportDifference
+from .._engines.registry import REGISTRY
+from .._reports.engines_summary import tell
 from .document import Column, Document, Row, Section, Table, Verdict
 from .provenance import Provenance, inputs_of
 from .wording import MISSING, figures, residue

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ..engines.registry import REGISTRY
-from ..parity.comparison import SAME_ROBOT, EngineReport
-from ..parity.fleet import FleetReport
-from ..parity.reading import Reading
-from ..parity.story import deed, tell
+from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
+from .._engines.audit.engine_reading import Reading
+from .._engines.audit.fleet_comparison import FleetReport
+from .._engines.registry import REGISTRY
+from .._reports.engines_summary import deed, tell
 from .json_head import json_head
 from .json_values import Report, model_value, strict
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..engines.registry import REGISTRY, EngineEntry
+from .._engines.registry import REGISTRY, EngineEntry
 from .document import Column, Document, Row, Section, Table
 from .json_head import json_head
 from .json_values import Report, strict

@@ -2,8 +2,8 @@
 
 DART gives links without `<inertial>` (`ee_link`, `tool0`) a kilogram each, MuJoCo weighs them by
 their collision shape: an arm that would sag under torques that hold the real one.  The remedies for
-these habits are applied first (`engines.habits`), then what the engine holds is held against the
-arm (`parity.imports`), and one that still holds another arm is turned away.
+these habits are applied first (`_engines.known_issues`), then what the engine holds is compared
+with the arm (`_engines.audit.import_audit`), and one that still holds another arm is turned away.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from typing import NoReturn, cast
 
 import numpy as np
 
+from .._engines.audit.audit_tolerances import parameter_rounding
+from .._engines.audit.import_audit import audit
+from .._engines.engine import Stepper
+from .._engines.imported_model import moving_inertias
+from .._engines.known_issues import remedied
+from .._engines.registry import make_engine
 from .._errors import EngineError, UsageError
 from .._robot.serial_arm import SerialArm
-from ..engines.engine import Stepper
-from ..engines.habits import remedied
-from ..engines.holdings import moving_inertias
-from ..engines.registry import make_engine
-from ..parity.imports import audit
-from ..parity.rounding import parameter_rounding
 
 __all__ = ["STEPPERS", "Admitted", "admit", "turn_away_strangers"]
 

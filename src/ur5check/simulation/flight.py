@@ -9,10 +9,10 @@ from collections.abc import Callable
 
 import numpy as np
 
+from .._engines.engine import Stepper
 from .._errors import EngineError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..engines.engine import Stepper
 from .acceleration import acceleration_of
 from .integration import WORKING, Precision, integrate
 from .motion import Motion

@@ -18,10 +18,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import Bounds, minimize
 
+from .._engines.pinocchio import PinocchioEngine
 from .._robot.serial_arm import SerialArm, Source
 from .._robot.transforms import Array
 from ..comparison.pair import Pair
-from ..engines.pinocchio import PinocchioEngine
 
 __all__ = ["Ascent", "Gap", "joint_gain", "squared_sum"]
 

@@ -11,9 +11,9 @@ import ur5check as ur5
 from examples import random_arm
 from ur5check._dynamics.compiled import kernel_source as source
 from ur5check._dynamics.compiled.kernel import Kernel, compile_difference, default_path
+from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import StateError, UsageError
 from ur5check._robot.states import random_states
-from ur5check.engines.pinocchio import PinocchioEngine
 
 QUANTITIES = {
     "rnea": ("q", "qd", "qdd"),

@@ -6,8 +6,8 @@ import numpy as np
 
 import ur5check
 from ur5check._dynamics.equations import bias_torque
+from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._robot.states import random_states
-from ur5check.engines.pinocchio import PinocchioEngine
 
 RECURSION = {
     "tau": ur5check.rnea,

@@ -15,13 +15,13 @@ from hypothesis import strategies as st
 import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies as ur5
+from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import ModelError
 from ur5check._io.number_text import as_written, exact, roll_pitch_yaw
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._io.urdf.urdf_writer import NO_LIMIT, urdf_of
 from ur5check._robot import Inertia, Joint, Limits, Link, SerialArm, Source, Transform
 from ur5check._robot.states import random_states
-from ur5check.engines.pinocchio import PinocchioEngine
 
 
 def read_back(arm: SerialArm) -> SerialArm:

@@ -23,10 +23,10 @@ from pathlib import Path
 
 from lxml import etree
 
+from ..._engines.known_issues import habits_of
 from ..._errors import ModelError
 from ..._robot import SerialArm, Transform
 from ..._robot.transforms import Array
-from ...engines.habits import habits_of
 from ..ros_packages import PackageMap
 from ..urdf.urdf_chain import Chain
 from ..urdf.urdf_checks import check_urdf

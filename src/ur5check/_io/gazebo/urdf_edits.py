@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from lxml import etree
 
+from ..._engines.urdf_repairs import NO_LIMIT
 from ..._robot import Transform
-from ...engines.remedies import NO_LIMIT
 from ..number_text import exact, roll_pitch_yaw, triple
 from ..urdf.urdf_chain import Chain
 from ..urdf.urdf_values import Robot

@@ -1,0 +1,142 @@
+"""What the file writes of every link that a joint carries, and what a careless reader makes of it.
+
+Our arm holds one inertia a joint.  To name what an engine did to a link, the links are needed one
+by one, with the readings that go wrong: the rotation of the `<inertial>` left out, the body left
+out, a body made up where none was written.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache, reduce
+from operator import matmul
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..._robot.inertia import Inertia
+from ..._robot.serial_arm import SerialArm
+from ..._robot.transforms import Array, Transform
+from .audit_tolerances import tensor_rounding
+from .import_difference import Kind
+from .shape_masses import inertia_of_shapes
+
+if TYPE_CHECKING:
+    from lxml.etree import _Element
+
+__all__ = ["Misreading", "WrittenArm", "WrittenBody", "written_arm"]
+
+#: What is made up for a link without `<inertial>` by an engine that must have one.
+UNIT_BODY = Inertia(1.0, np.zeros(3), np.eye(3))
+
+
+@dataclass(frozen=True, eq=False)
+class Misreading:
+    """A body read wrongly: `parameters` in frame i, shape (10,); `held` says it in words."""
+
+    kind: Kind
+    parameters: Array
+    held: str
+
+
+@dataclass(frozen=True, eq=False)
+class WrittenBody:
+    """A link as the file has it.
+
+    carried_by : index of the joint
+    above : links on the way from the joint's own link to this one, nearest first
+    parameters : of its `<inertial>` in frame i, shape (10,); zeros where it has none
+    has_inertial, has_shape : whether the file gives it one, and anything with an extent
+    """
+
+    name: str
+    carried_by: int
+    above: tuple[str, ...]
+    parameters: Array
+    has_inertial: bool
+    has_shape: bool
+    misreadings: tuple[Misreading, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class WrittenArm:
+    """bodies : every link that moves, a joint's own before those fixed to it
+    standing : names of the links with a mass that no joint of the arm carries
+    """
+
+    bodies: tuple[WrittenBody, ...]
+    standing: tuple[str, ...] = ()
+
+
+@lru_cache(maxsize=4)  # every engine's audit asks for the same arm
+def written_arm(arm: SerialArm) -> WrittenArm:
+    """What the arm's source writes, link by link."""
+    if arm.source.urdf is None:
+        return _of_values(arm)
+    from ..._io.urdf.urdf_checks import check_urdf
+    from ..._io.urdf.urdf_values import Robot
+
+    root = check_urdf(arm.source.urdf.encode(), arm.name)
+    robot = Robot(root, arm.name)
+    nodes = {str(node.get("name")): node for node in root.iterchildren("link")}
+    chain = robot.tree.chain(arm.source.base, arm.source.tip)
+    moving = frozenset(edge.joint for edge in chain.moving)
+    bodies = []
+    for i, edge in enumerate(chain.moving):
+        to_far_end = arm.links[i].far_end.inverse()
+        for way in robot.tree.rigid_group(edge.child, chain):
+            links = [edge.child, *(step.child for step in way)]
+            pose = reduce(matmul, (robot.held_pose(step, moving) for step in way), to_far_end)
+            own, node = robot.inertia(links[-1]), nodes[links[-1]]
+            bodies.append(
+                WrittenBody(
+                    links[-1],
+                    i,
+                    tuple(reversed(links[:-1])),
+                    np.zeros(10) if own is None else own.expressed_in(pose).parameters(),
+                    own is not None,
+                    node.find("collision") is not None or node.find("visual") is not None,
+                    tuple(_misreadings(own, node, pose)),
+                )
+            )
+    carried = {body.name for body in bodies}
+    weights = {name: robot.inertia(name) for name in nodes if name not in carried}
+    standing = tuple(name for name, inertia in weights.items() if inertia and inertia.mass > 0.0)
+    return WrittenArm(tuple(bodies), standing)
+
+
+def _of_values(arm: SerialArm) -> WrittenArm:
+    """A DH table or a value: one body a joint."""
+    lost = (Misreading("body-lost", np.zeros(10), "nothing"),)
+    return WrittenArm(
+        tuple(
+            WrittenBody(link.name, i, (), link.inertia.parameters(), True, False, lost)
+            for i, link in enumerate(arm.links)
+        )
+    )
+
+
+def _misreadings(own: Inertia | None, node: _Element, pose: Transform) -> list[Misreading]:
+    if own is None:
+        unit = UNIT_BODY.expressed_in(pose).parameters()
+        found = [Misreading("default-inertia", unit, "1 kg and a unit tensor")]
+        weighed = inertia_of_shapes(node)
+        if weighed is not None:
+            parameters = weighed.expressed_in(pose).parameters()
+            held = f"{weighed.mass:.4g} kg, its shape at the density of water"
+            found.append(Misreading("shape-mass", parameters, held))
+        return found
+    found = [Misreading("body-lost", np.zeros(10), "nothing")]
+    R = _written_rotation(node)
+    unturned = Inertia(own.mass, own.com, R.T @ own.tensor @ R)
+    if np.abs(unturned.tensor - own.tensor).max() > tensor_rounding(own.tensor):
+        parameters = unturned.expressed_in(pose).parameters()
+        found.insert(0, Misreading("rotation-dropped", parameters, "the tensor not rotated"))
+    return found
+
+
+def _written_rotation(node: _Element) -> Array:
+    """R of `<inertial><origin rpy>`: the strict reading has made sure of its three numbers."""
+    origin = node.find("inertial/origin")
+    rpy = "0 0 0" if origin is None else origin.get("rpy", "0 0 0")
+    return Transform.from_rpy(np.zeros(3), [float(angle) for angle in rpy.split()]).R

@@ -1,0 +1,175 @@
+"""Is this an engine?  The tests that every engine passes, for whoever adds one.
+
+    import pytest
+    from ur5check._engines import conformance
+
+    @pytest.mark.parametrize("law", conformance.LAWS, ids=lambda law: law.id)
+    @pytest.mark.parametrize("case", conformance.CASES, ids=lambda case: case.name)
+    def test_my_engine(case, law):
+        conformance.check(MyEngine, case, law)
+
+An engine that is known to misread a file is given the file that it reads rightly:
+`lambda arm, gravity: DartEngine(habits.remedied(arm, "dart"), gravity)`.
+
+What is asked is compared with the hand-written recursion on an arm that was put down by hand
+(`conformance_arms`), never with a reading of the same text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from .._robot.states import States, random_states
+from .._robot.transforms import Array
+from .conformance_arms import CASES, Case
+from .engine import Engine, MakeEngine
+from .imported_model import Holdings, moving_inertias
+from .recursion_engine import OwnEngine
+
+__all__ = ["CASES", "LAWS", "Case", "Law", "check", "violations"]
+
+_STATES, _SEED = 24, 4
+_EPS = float(np.finfo(np.float64).eps)
+# The same as for the laws of `checks`: a number that travels through n joints is rounded some 32
+# times in each, by ε of the size of what is added up.
+_ROUNDING = 32 * _EPS
+
+
+@dataclass(frozen=True, eq=False)
+class _Trial:
+    """One engine and our own side on one arm, with states to ask about."""
+
+    case: Case
+    engine: Engine
+    own: OwnEngine
+    states: States
+
+
+@dataclass(frozen=True)
+class Law:
+    """What must hold of an engine.
+
+    measure : returns how far from true it is, and the size against which rounding is judged
+    """
+
+    id: str
+    statement: str
+    measure: Callable[[_Trial], tuple[float, float]]
+
+
+def check(make: MakeEngine, case: Case, law: Law) -> None:
+    """Raise AssertionError, with the law, the case and the figures, if the engine breaks it."""
+    n = case.arm.n
+    trial = _Trial(
+        case,
+        make(case.arm, case.gravity),
+        OwnEngine(case.arm, case.gravity),
+        random_states(n, _STATES, _SEED),
+    )
+    value, size = law.measure(trial)
+    limit = n * _ROUNDING * size
+    if not value <= limit:  # nan fails
+        raise AssertionError(
+            f"{trial.engine.name} on {case.name!r}: {law.statement} ({law.id}): off by "
+            f"{value:.2e}, rounding allows {limit:.2e}"
+        )
+
+
+def violations(make: MakeEngine) -> tuple[str, ...]:
+    """A sentence for every law that an engine breaks on any case; empty for a conforming one."""
+    said = []
+    for case in CASES:
+        for law in LAWS:
+            try:
+                check(make, case, law)
+            except AssertionError as error:
+                said.append(str(error))
+    return tuple(said)
+
+
+def _gap(a: Array, b: Array) -> tuple[float, float]:
+    a, b = np.asarray(a), np.asarray(b)
+    if a.shape != b.shape:
+        return float("inf"), 1.0
+    return float(np.abs(a - b).max()), float(np.abs(b).max())
+
+
+def _tool_pose(t: _Trial) -> tuple[float, float]:
+    return _gap(t.engine.forward_kinematics(t.states.q), t.own.forward_kinematics(t.states.q))
+
+
+def _inverse(t: _Trial) -> tuple[float, float]:
+    state = t.states.q, t.states.qd, t.states.qdd
+    return _gap(t.engine.inverse_dynamics(*state), t.own.inverse_dynamics(*state))
+
+
+def _forward(t: _Trial) -> tuple[float, float]:
+    q, qd, qdd = t.states.q, t.states.qd, t.states.qdd
+    tau = t.own.inverse_dynamics(q, qd, qdd)
+    moments = np.linalg.eigvalsh(t.own.mass_matrix(q))
+    error, _ = _gap(t.engine.forward_dynamics(q, qd, tau), qdd)
+    # What a torque of this size can do to the lightest direction of M.
+    return error, float(np.abs(tau).max() / moments.min())
+
+
+def _mass(t: _Trial) -> tuple[float, float]:
+    return _gap(t.engine.mass_matrix(t.states.q), t.own.mass_matrix(t.states.q))
+
+
+def _bias(t: _Trial) -> tuple[float, float]:
+    state = t.states.q, t.states.qd
+    return _gap(t.engine.bias_torque(*state), t.own.bias_torque(*state))
+
+
+def _gravity(t: _Trial) -> tuple[float, float]:
+    return _gap(t.engine.gravity_torque(t.states.q), t.own.gravity_torque(t.states.q))
+
+
+def _shapes(t: _Trial) -> tuple[float, float]:
+    """q of shape (2, 1, n) with rates of shape (3, n) make torques of shape (2, 3, n)."""
+    q, qd, qdd = t.states.q[:2, None, :], t.states.qd[:3], t.states.qdd[:3]
+    return _gap(t.engine.inverse_dynamics(q, qd, qdd), t.own.inverse_dynamics(q, qd, qdd))
+
+
+def _holdings(t: _Trial) -> tuple[Holdings, Holdings]:
+    return t.engine.holdings(), t.own.holdings()
+
+
+def _held_joints(t: _Trial) -> tuple[float, float]:
+    theirs, ours = _holdings(t)
+    held = {joint.name: joint for joint in theirs.joints}
+    if set(held) != set(t.case.arm.joint_names) or len(held) != len(theirs.joints):
+        return float("inf"), 1.0
+    if any(held[joint.name].kind != joint.kind for joint in ours.joints):
+        return float("inf"), 1.0
+    gaps = [np.abs(held[joint.name].axis - joint.axis).max() for joint in ours.joints]
+    return float(max(gaps)), 1.0
+
+
+def _held_bodies(t: _Trial) -> tuple[float, float]:
+    theirs, _ = _holdings(t)
+    groups = moving_inertias(theirs, t.case.arm)
+    parameters = np.concatenate([group.parameters() for group in groups])
+    return _gap(parameters, t.case.arm.parameters())
+
+
+def _held_tool(t: _Trial) -> tuple[float, float]:
+    theirs, ours = _holdings(t)
+    return _gap(theirs.tool, ours.tool)
+
+
+LAWS: tuple[Law, ...] = (
+    Law("tool-pose", "the tool is where the chain puts it", _tool_pose),
+    Law("inverse-dynamics", "torques are those of the arm, in the arm's joint order", _inverse),
+    Law("forward-dynamics", "accelerations are those that the torques came from", _forward),
+    Law("mass-matrix", "the mass matrix is the arm's, both triangles filled", _mass),
+    Law("bias-torque", "C q̇ + g is the arm's, without damping or friction", _bias),
+    Law("gravity-torque", "gravity acts in the base frame as it was given", _gravity),
+    Law("array-shapes", "leading axes of joint arrays broadcast", _shapes),
+    Law("held-joints", "joints are held with their names, kinds and axes", _held_joints),
+    Law("held-bodies", "each joint carries the inertia that the arm gives it", _held_bodies),
+    Law("held-tool", "the tool at zero is where the chain puts it", _held_tool),
+)

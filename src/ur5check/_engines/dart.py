@@ -1,0 +1,262 @@
+"""DART as referee: its inverse dynamics, articulated-body forward dynamics, and mass matrix.
+
+`dartpy` parses with urdfdom, as Pinocchio does, but keeps a body for every link.  Damping, dry
+friction and springs are set to zero once they have been noted for `holdings`: DART folds damping
+into its articulated inertia, and what is compared is the rigid-body model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, ClassVar
+
+import dartpy
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._errors import EngineError
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Joint, Limits, Link, SerialArm
+from .._robot.transforms import Array, Transform
+from .captured_warnings import listening
+from .each_state import each_state
+from .engine_urdf import text_for_engines
+from .imported_model import HeldBody, Holdings
+
+__all__ = ["DartEngine"]
+
+_NO_EXTERNAL_FORCES = (False, False, False)  # nor damping, nor springs
+
+
+class DartEngine:
+    """DART's algorithms on one arm; satisfies `engine.Stepper`.
+
+    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+
+    Raises EngineError if DART cannot take the model.
+    """
+
+    name = "DART"
+    version = str(dartpy.__version__)
+    #: as `World.step` does it: velocities first, then positions with the new ones
+    integrators: ClassVar[dict[str, int]] = {"semi-implicit": 1}
+
+    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+        self.arm = arm
+        self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
+        with listening() as said:
+            skeleton = _built(arm) if arm.source.urdf is None else _parsed(arm)
+        if skeleton is None:
+            raise EngineError(
+                f"DART cannot take the model of {arm.name!r}: {' '.join(said[:2]) or 'no reason'}"
+            )
+        self.skeleton, self.said = skeleton, tuple(said)
+        self._dofs = [self._dof(name) for name in arm.joint_names]
+        self._order = [dof.getIndexInSkeleton() for dof in self._dofs]
+        # DART starts a joint in the middle of its range where that leaves zero out.
+        skeleton.setPositions(np.zeros(arm.n))
+        self._joints = tuple(self._held_joint(k) for k in range(skeleton.getNumDofs()))
+        for dof in self._dofs:
+            dof.setDampingCoefficient(0.0)
+            dof.setCoulombFriction(0.0)
+            dof.setSpringStiffness(0.0)
+        base = None if self.route == "SerialArm" else skeleton.getBodyNode(arm.source.base)
+        self._T_base_world = Transform.identity() if base is None else _pose(base).inverse()
+        R = self._T_base_world.R
+        self._gravity_read = R @ skeleton.getGravity()
+        self._joints = tuple(replace(joint, axis=R @ joint.axis) for joint in self._joints)
+        g = np.asarray(arm.gravity if gravity is None else gravity, dtype=np.float64)
+        skeleton.setGravity(R.T @ g)
+
+    def forward_kinematics(self, q: Array) -> Array:
+        """Pose of the tool in the base frame, from the tool body's world transform."""
+
+        def pose(x: Array) -> Array:
+            self._set(self.skeleton.setPositions, x)
+            return self._tool().matrix()
+
+        return each_state(pose, self.arm.n, (4, 4), q)
+
+    def inverse_dynamics(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Torques from `computeInverseDynamics`."""
+
+        def torque(x: Array, v: Array, a: Array) -> Array:
+            self._place(x, v)
+            self._set(self.skeleton.setAccelerations, a)
+            self.skeleton.computeInverseDynamics(*_NO_EXTERNAL_FORCES)
+            return self._of(self.skeleton.getForces())
+
+        return self._each(torque, q, qd, qdd)
+
+    def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
+        """Accelerations from `computeForwardDynamics`."""
+
+        def acceleration(x: Array, v: Array, t: Array) -> Array:
+            self._place(x, v)
+            self._set(self.skeleton.setForces, t)
+            self.skeleton.computeForwardDynamics()
+            return self._of(self.skeleton.getAccelerations())
+
+        return self._each(acceleration, q, qd, tau)
+
+    def mass_matrix(self, q: Array) -> Array:
+        """M from `getMassMatrix`."""
+
+        def mass(x: Array) -> Array:
+            self._place(x, np.zeros(self.arm.n))
+            return np.asarray(self.skeleton.getMassMatrix())[np.ix_(self._order, self._order)]
+
+        return each_state(mass, self.arm.n, (self.arm.n, self.arm.n), q)
+
+    def bias_torque(self, q: Array, qd: Array) -> Array:
+        """C q̇ + g from `getCoriolisAndGravityForces`."""
+
+        def bias(x: Array, v: Array) -> Array:
+            self._place(x, v)
+            return self._of(self.skeleton.getCoriolisAndGravityForces())
+
+        return self._each(bias, q, qd)
+
+    def gravity_torque(self, q: Array) -> Array:
+        """g from `getGravityForces`."""
+
+        def gravity(x: Array) -> Array:
+            self._place(x, np.zeros(self.arm.n))
+            return self._of(self.skeleton.getGravityForces())
+
+        return self._each(gravity, q)
+
+    def step(
+        self, q: Array, qd: Array, tau: Array, dt: float, integrator: str | None = None
+    ) -> tuple[Array, Array]:
+        """(q, q̇) after one step of `dt` [s], in the order in which `World.step` takes it."""
+        self.skeleton.setTimeStep(dt)
+        self._place(q, qd)
+        self._set(self.skeleton.setForces, tau)
+        self.skeleton.computeForwardDynamics()
+        self.skeleton.integrateVelocities(dt)
+        self.skeleton.integratePositions(dt)
+        return self._of(self.skeleton.getPositions()), self._of(self.skeleton.getVelocities())
+
+    def holdings(self) -> Holdings:
+        """What the `Skeleton` holds: a body for every link."""
+        zero = np.zeros(self.arm.n)
+        self._place(zero, zero)
+        nodes = [self.skeleton.getBodyNode(k) for k in range(self.skeleton.getNumBodyNodes())]
+        return Holdings(
+            self._joints,
+            tuple(self._held_body(node) for node in nodes),
+            self._gravity_read,
+            self._tool().matrix(),
+            int(self.skeleton.getNumDofs()),
+            self.said,
+        )
+
+    def _held_joint(self, k: int) -> Joint:
+        dof = self.skeleton.getDof(k)
+        joint = self.skeleton.getJoint(dof.getName())
+        sliding = joint.getType() == "PrismaticJoint"
+        child = joint.getChildBodyNode()
+        turn = _pose(child).R @ joint.getTransformFromChildBodyNode().rotation()
+        return Joint(
+            str(dof.getName()),
+            turn @ joint.getAxis(),
+            "prismatic" if sliding else "revolute",
+            Limits(
+                _finite(dof.getPositionLowerLimit()),
+                _finite(dof.getPositionUpperLimit()),
+                _finite(dof.getVelocityUpperLimit()),
+                _finite(dof.getForceUpperLimit()),
+            ),
+            0.0,  # DART has no place for a motor's inertia
+            float(dof.getDampingCoefficient()),
+            float(dof.getCoulombFriction()),
+        )
+
+    def _held_body(self, node: Any) -> HeldBody:
+        held = node.getInertia()
+        inertia = Inertia(held.getMass(), held.getLocalCOM(), held.getMoment())
+        here = inertia.expressed_in(self._T_base_world @ _pose(node))
+        return HeldBody(str(node.getName()), self._carrier(node), here)
+
+    def _carrier(self, node: Any) -> int | None:
+        while node is not None:
+            joint = node.getParentJoint()
+            if joint.getNumDofs():
+                return self._order.index(joint.getIndexInSkeleton(0))
+            node = node.getParentBodyNode()
+        return None
+
+    def _dof(self, name: str) -> Any:
+        dof = self.skeleton.getDof(name)
+        if dof is None:
+            raise EngineError(f"DART's model of {self.arm.name!r} lacks joint {name!r}")
+        return dof
+
+    def _tool(self) -> Transform:
+        if self.route == "SerialArm":
+            last = self.skeleton.getBodyNode(self.skeleton.getNumBodyNodes() - 1)
+            return _pose(last) @ self.arm.links[-1].far_end
+        return self._T_base_world @ _pose(self.skeleton.getBodyNode(self.arm.source.tip))
+
+    def _place(self, q: Array, qd: Array) -> None:
+        self._set(self.skeleton.setPositions, q)
+        self._set(self.skeleton.setVelocities, qd)
+
+    def _set(self, setter: Callable[[Array], None], values: Array) -> None:
+        ordered = np.empty(self.arm.n)
+        ordered[self._order] = values
+        setter(ordered)
+
+    def _of(self, values: Array) -> Array:
+        return np.array(values)[self._order]
+
+    def _each(self, one: Callable[..., Array], *arrays: Array) -> Array:
+        return each_state(one, self.arm.n, (self.arm.n,), *arrays)
+
+
+def _pose(node: Any) -> Transform:
+    T = node.getWorldTransform()
+    return Transform(T.rotation(), T.translation())
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
+
+
+def _parsed(arm: SerialArm) -> Any:
+    loader = dartpy.utils.DartLoader()
+    options = dartpy.utils.DartLoader.Options()
+    # Left to itself, DART lets the root float.
+    options.mDefaultRootJointType = dartpy.utils.DartLoader.RootJointType.FIXED
+    loader.setOptions(options)
+    return loader.parseSkeletonString(text_for_engines(arm), dartpy.common.Uri(""))
+
+
+def _built(arm: SerialArm) -> Any:
+    """The arm handed over joint by joint."""
+    skeleton = dartpy.dynamics.Skeleton(arm.name)
+    node, placement = None, arm.base
+    for joint, link in zip(arm.joints, arm.links, strict=True):
+        node = _add(skeleton, node, joint, link, placement)
+        placement = link.far_end
+    return skeleton
+
+
+def _add(skeleton: Any, parent: Any, joint: Joint, link: Link, placement: Transform) -> Any:
+    dynamics = dartpy.dynamics
+    if joint.kind == "prismatic":
+        properties = dynamics.PrismaticJointProperties()
+        create = skeleton.createPrismaticJointAndBodyNodePair
+    else:
+        properties = dynamics.RevoluteJointProperties()
+        create = skeleton.createRevoluteJointAndBodyNodePair
+    properties.mName = joint.name
+    properties.mAxis = joint.axis
+    properties.mT_ParentBodyToJoint = dartpy.math.Isometry3(placement.matrix())
+    _, node = create(parent, properties)
+    node.setName(link.name)
+    here = link.inertia.expressed_in(link.far_end)
+    node.setInertia(dynamics.Inertia(here.mass, here.com, here.tensor))
+    return node

@@ -1,0 +1,104 @@
+"""What a referee can be asked.
+
+All arrays are shape (..., n) in the joint order of the arm that the engine was made for; gravity
+is in that arm's base frame and is fixed when the engine is made.
+
+    Engine ── any referee: torques, accelerations, M, C q̇ + g, g, the tool's pose, and what it holds
+    ├─ Referee ── one that also shows its C and its regressor: the laws need both
+    └─ Stepper ── one that also moves in time, by its own integrator
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar, Protocol
+
+from numpy.typing import ArrayLike
+
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
+from .imported_model import Holdings
+
+__all__ = ["Engine", "MakeEngine", "Referee", "Stepper"]
+
+
+class Engine(Protocol):
+    """Another implementation of rigid-body dynamics, holding one arm."""
+
+    name: str
+    version: str
+    #: how the model reached the engine: "URDF text, own parser", "SerialArm", "pin.Model"
+    route: str
+
+    def forward_kinematics(self, q: Array) -> Array:
+        """Pose of the tool in the base frame, shape (..., 4, 4)."""
+        ...
+
+    def inverse_dynamics(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Joint torques, shape (..., n) [N m]: rigid bodies and motor inertia, no damping."""
+        ...
+
+    def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
+        """Joint accelerations, shape (..., n) [rad/s²]."""
+        ...
+
+    def mass_matrix(self, q: Array) -> Array:
+        """M(q), shape (..., n, n) [kg m²]."""
+        ...
+
+    def bias_torque(self, q: Array, qd: Array) -> Array:
+        """C q̇ + g, shape (..., n) [N m]."""
+        ...
+
+    def gravity_torque(self, q: Array) -> Array:
+        """g(q), shape (..., n) [N m]."""
+        ...
+
+    def holdings(self) -> Holdings:
+        """The joints and bodies that the engine holds after reading, in its own words."""
+        ...
+
+
+class MakeEngine(Protocol):
+    """How an engine is made: from an arm, whose source says by which route.
+
+    An arm that came from a URDF reaches the engine as that text, through the engine's own parser;
+    any other arm is handed over joint by joint.
+
+    Raises EngineError if the engine cannot take the model.
+    """
+
+    def __call__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> Engine:
+        """The engine, holding `arm` under `gravity` (the arm's own when None)."""
+        ...
+
+
+class Referee(Engine, Protocol):
+    """An engine that shows all that the laws ask for."""
+
+    def coriolis_matrix(self, q: Array, qd: Array) -> Array:
+        """A C(q, q̇) with C q̇ the velocity torque, shape (..., n, n) [N m s]."""
+        ...
+
+    def torque_regressor(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Y, shape (..., n, 10 n), with the arm's parameters held in the arm's link frames."""
+        ...
+
+
+class Stepper(Engine, Protocol):
+    """A physics engine: it moves the arm in time.
+
+    No contact, no joint limit, no damping and no friction take part: what moves is the rigid-body
+    model that the engine holds, under gravity and the torques given.
+    """
+
+    #: names of the engine's integrators and the order of each, the engine's default first
+    integrators: ClassVar[dict[str, int]]
+
+    def step(
+        self, q: Array, qd: Array, tau: Array, dt: float, integrator: str | None = None
+    ) -> tuple[Array, Array]:
+        """(q, q̇) after `dt` [s] of constant torque, by one step of the engine's integrator.
+
+        q, qd, tau : shape (n,) [rad], [rad/s], [N m].
+        """
+        ...

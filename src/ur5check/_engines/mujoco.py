@@ -1,0 +1,279 @@
+"""MuJoCo as referee: `mj_rne`, `mj_forward`, the mass matrix of `mj_crb`.
+
+Contacts, limits, springs, damping and dry friction are switched off: what is compared, and what
+moves in `step`, is the rigid-body model.  What the model says of them is kept for `holdings`.
+
+MuJoCo melts fixed links into their parents, the tool's frame with them.  A site is put where the
+tool and the base are before it does, so that its own kinematics still tells where they went.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, ClassVar
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._errors import EngineError
+from .._robot.inertia import Inertia
+from .._robot.serial_arm import Joint, Limits, SerialArm
+from .._robot.transforms import Array, Transform
+from .each_state import each_state
+from .engine_urdf import text_for_engines
+from .imported_model import HeldBody, Holdings
+
+__all__ = ["MuJoCoEngine"]
+
+_BASE, _TOOL = "ur5check_base", "ur5check_tool"
+_INTEGRATORS = {
+    "euler": mujoco.mjtIntegrator.mjINT_EULER,
+    "rk4": mujoco.mjtIntegrator.mjINT_RK4,
+    "implicit": mujoco.mjtIntegrator.mjINT_IMPLICIT,
+    "implicitfast": mujoco.mjtIntegrator.mjINT_IMPLICITFAST,
+}
+_RIGID_BODIES_ONLY = (
+    mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
+    | mujoco.mjtDisableBit.mjDSBL_CONTACT
+    | mujoco.mjtDisableBit.mjDSBL_SPRING
+    | mujoco.mjtDisableBit.mjDSBL_DAMPER
+    | mujoco.mjtDisableBit.mjDSBL_ACTUATION
+)
+
+
+class MuJoCoEngine:
+    """MuJoCo's algorithms on one arm; satisfies `engine.Stepper`.
+
+    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+
+    Raises EngineError if MuJoCo cannot take the model.
+    """
+
+    name = "MuJoCo"
+    version = str(mujoco.__version__)
+    #: `euler` moves positions with the new velocities (semi-implicit)
+    integrators: ClassVar[dict[str, int]] = {"euler": 1, "rk4": 4, "implicit": 1, "implicitfast": 1}
+
+    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+        self.arm = arm
+        self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
+        with _heard() as said:
+            self.model = _compiled(arm)
+        self.said = tuple(said)
+        self.data = mujoco.MjData(self.model)
+        self._joints = [self._joint_id(name) for name in arm.joint_names]
+        self._q = self.model.jnt_qposadr[self._joints]
+        self._v = self.model.jnt_dofadr[self._joints]
+        self.model.opt.disableflags |= int(_RIGID_BODIES_ONLY)
+        mujoco.mj_kinematics(self.model, self.data)
+        self._T_base_world = self._site(_BASE).inverse()
+        R = self._T_base_world.R
+        self._gravity_read = R @ self.model.opt.gravity
+        g = np.asarray(arm.gravity if gravity is None else gravity, dtype=np.float64)
+        self.model.opt.gravity[:] = R.T @ g
+
+    def forward_kinematics(self, q: Array) -> Array:
+        """Pose of the tool in the base frame, from `mj_kinematics`."""
+
+        def pose(x: Array) -> Array:
+            self.data.qpos[self._q] = x
+            mujoco.mj_kinematics(self.model, self.data)
+            return (self._T_base_world @ self._site(_TOOL)).matrix()
+
+        return each_state(pose, self.arm.n, (4, 4), q)
+
+    def inverse_dynamics(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Torques from `mj_rne`, which leaves the motors' inertia out, and that."""
+
+        def torque(x: Array, v: Array, a: Array) -> Array:
+            self._place(x, v)
+            self.data.qacc[self._v] = a
+            motors: Array = self.model.dof_armature[self._v] * a
+            return self._rne(1) + motors
+
+        return self._each(torque, q, qd, qdd)
+
+    def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
+        """Accelerations from `mj_forward`."""
+
+        def acceleration(x: Array, v: Array, t: Array) -> Array:
+            self.data.qpos[self._q], self.data.qvel[self._v] = x, v
+            self.data.qfrc_applied[self._v] = t
+            mujoco.mj_forward(self.model, self.data)
+            return np.array(self.data.qacc[self._v])
+
+        return self._each(acceleration, q, qd, tau)
+
+    def mass_matrix(self, q: Array) -> Array:
+        """M from `mj_crb`, motors' inertia included."""
+
+        def crb(x: Array) -> Array:
+            self._place(x, np.zeros(self.arm.n))
+            M = np.zeros((self.model.nv, self.model.nv))
+            mujoco.mj_fullM(self.model, self.data, M)
+            return np.asarray(M[np.ix_(self._v, self._v)])
+
+        return each_state(crb, self.arm.n, (self.arm.n, self.arm.n), q)
+
+    def bias_torque(self, q: Array, qd: Array) -> Array:
+        """C q̇ + g from `mj_rne` without acceleration."""
+
+        def bias(x: Array, v: Array) -> Array:
+            self._place(x, v)
+            return self._rne(0)
+
+        return self._each(bias, q, qd)
+
+    def gravity_torque(self, q: Array) -> Array:
+        """g: the bias at rest."""
+        return self.bias_torque(q, np.zeros(self.arm.n))
+
+    def step(
+        self, q: Array, qd: Array, tau: Array, dt: float, integrator: str | None = None
+    ) -> tuple[Array, Array]:
+        """(q, q̇) after one `mj_step` of `dt` [s]."""
+        self.model.opt.integrator = _INTEGRATORS[integrator or "euler"]
+        self.model.opt.timestep = dt
+        self.data.qpos[self._q], self.data.qvel[self._v] = q, qd
+        self.data.qfrc_applied[self._v] = tau
+        mujoco.mj_step(self.model, self.data)
+        return np.array(self.data.qpos[self._q]), np.array(self.data.qvel[self._v])
+
+    def holdings(self) -> Holdings:
+        """What the compiled `MjModel` holds."""
+        self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
+        return Holdings(
+            tuple(self._held_joint(k) for k in range(self.model.njnt)),
+            tuple(self._held_body(b) for b in range(1, self.model.nbody)),
+            self._gravity_read,
+            (self._T_base_world @ self._site(_TOOL)).matrix(),
+            int(self.model.nq),
+            self.said,
+        )
+
+    def _held_joint(self, k: int) -> Joint:
+        model, v = self.model, int(self.model.jnt_dofadr[k])
+        sliding = model.jnt_type[k] == mujoco.mjtJoint.mjJNT_SLIDE
+        lower, upper = model.jnt_range[k] if model.jnt_limited[k] else (None, None)
+        effort = model.jnt_actfrcrange[k][1] if model.jnt_actfrclimited[k] else None
+        return Joint(
+            model.joint(k).name,
+            self._T_base_world.R @ self.data.xaxis[k],
+            "prismatic" if sliding else "revolute",
+            Limits(_number(lower), _number(upper), None, _number(effort)),
+            float(model.dof_armature[v]),
+            float(np.ravel(model.dof_damping[v])[0]),
+            float(model.dof_frictionloss[v]),
+        )
+
+    def _held_body(self, b: int) -> HeldBody:
+        R = self.data.ximat[b].reshape(3, 3)
+        tensor = R @ np.diag(self.model.body_inertia[b]) @ R.T
+        inertia = Inertia(self.model.body_mass[b], self.data.xipos[b], tensor)
+        return HeldBody(
+            self.model.body(b).name,
+            self._carrier(b),
+            inertia.expressed_in(self._T_base_world),
+        )
+
+    def _carrier(self, b: int) -> int | None:
+        """The arm's joint that carries body b: the last one of the first jointed body above."""
+        while b:
+            if self.model.body_jntnum[b]:
+                last = int(self.model.body_jntadr[b] + self.model.body_jntnum[b] - 1)
+                return self._joints.index(last)
+            b = int(self.model.body_parentid[b])
+        return None
+
+    def _joint_id(self, name: str) -> int:
+        found = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_JOINT, name)
+        if found < 0:
+            raise EngineError(f"MuJoCo's model of {self.arm.name!r} lacks joint {name!r}")
+        return int(found)
+
+    def _site(self, name: str) -> Transform:
+        site = self.data.site(name)
+        return Transform(np.array(site.xmat).reshape(3, 3), np.array(site.xpos))
+
+    def _place(self, q: Array, qd: Array) -> None:
+        self.data.qpos[self._q], self.data.qvel[self._v] = q, qd
+        mujoco.mj_fwdPosition(self.model, self.data)
+        mujoco.mj_fwdVelocity(self.model, self.data)
+
+    def _rne(self, accelerating: int) -> Array:
+        torques = np.zeros(self.model.nv)
+        mujoco.mj_rne(self.model, self.data, accelerating, torques)
+        return np.asarray(torques[self._v])
+
+    def _each(self, one: Callable[..., Array], *arrays: Array) -> Array:
+        return each_state(one, self.arm.n, (self.arm.n,), *arrays)
+
+
+def _number(value: Any) -> float | None:
+    return None if value is None else float(value)
+
+
+def _compiled(arm: SerialArm) -> Any:
+    try:
+        spec = _built(arm) if arm.source.urdf is None else _parsed(arm)
+        return spec.compile()
+    except ValueError as error:
+        reason = " ".join(str(error).split())
+        raise EngineError(f"MuJoCo cannot take the model of {arm.name!r}: {reason}") from error
+
+
+def _parsed(arm: SerialArm) -> Any:
+    spec = mujoco.MjSpec.from_string(text_for_engines(arm))
+    for link, site in ((arm.source.base, _BASE), (arm.source.tip, _TOOL)):
+        # The root link has become the world.
+        body = spec.body(link) or spec.worldbody
+        body.add_site(name=site)
+    return spec
+
+
+def _built(arm: SerialArm) -> Any:
+    """The arm handed over joint by joint."""
+    spec = mujoco.MjSpec()
+    body, placement = spec.worldbody, arm.base
+    body.add_site(name=_BASE)
+    for joint, link in zip(arm.joints, arm.links, strict=True):
+        here = link.inertia.expressed_in(link.far_end)
+        tensor = here.tensor
+        body = body.add_body(
+            name=link.name,
+            pos=placement.p,
+            quat=_quaternion(placement.R),
+            explicitinertial=True,
+            mass=here.mass,
+            ipos=here.com,
+            fullinertia=[tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))],
+        )
+        kinds = mujoco.mjtJoint
+        body.add_joint(
+            name=joint.name,
+            type=kinds.mjJNT_SLIDE if joint.kind == "prismatic" else kinds.mjJNT_HINGE,
+            axis=joint.axis,
+            armature=joint.armature,
+        )
+        placement = link.far_end
+    body.add_site(name=_TOOL, pos=placement.p, quat=_quaternion(placement.R))
+    return spec
+
+
+def _quaternion(R: Array) -> Array:
+    quaternion = np.empty(4)
+    mujoco.mju_mat2Quat(quaternion, np.ascontiguousarray(R).ravel())
+    return quaternion
+
+
+@contextmanager
+def _heard() -> Iterator[list[str]]:
+    """MuJoCo's warnings meanwhile; left alone it writes them to a file in the current folder."""
+    lines: list[str] = []
+    mujoco.set_mju_user_warning(lines.append)
+    try:
+        yield lines
+    finally:
+        mujoco.set_mju_user_warning(None)

@@ -1,0 +1,176 @@
+"""A comparison of engines in a few sentences, the verdict first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
+from .._engines.audit.engine_reading import Reading
+from .._engines.audit.import_difference import ImportDifference, Kind
+from .._engines.registry import REGISTRY
+from ..comparison.story import listed
+
+__all__ = ["deed", "tell"]
+
+_LOST: dict[Kind, str] = {
+    "position-limit": "position limits",
+    "velocity-limit": "velocity limits",
+    "effort-limit": "effort limits",
+    "damping": "damping",
+    "friction": "friction",
+}
+_NOTHING = ("none", "0")
+_NOTES: dict[Kind, str] = {
+    "order": "has its joints in another order",
+    "gravity": "has another gravity unless it is told",
+    "tool": "has its tool elsewhere",
+}
+
+
+def tell(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) -> tuple[str, ...]:
+    """The verdict, what remedies leave, what is not explained, what users of an engine must know.
+
+    model : what the user called the arm;  limit : up to which torques count as the same [N m]
+    """
+    lines = [_verdict(report, model or report.arm.name, limit), _remedies(report, limit)]
+    for name, stage in report.stages():
+        lines += [
+            f"Not explained: {r.title} {name} is {_force(r.belief.gap)} away from what it holds."
+            for r in stage.unexplained
+            if r.belief is not None
+        ]
+    lines += [f"{r.refused}." for r in report.as_read.readings if r.refused is not None]
+    lines += [_use(reading) for reading in report.as_read.readings]
+    return tuple(line for line in lines if line)
+
+
+def deed(reading: Reading) -> str:
+    """What an engine has done to the arm, as a clause: "has added 2 kg"."""
+    if reading.refused is not None:
+        return "does not take the model"
+    follows = reading.belief.follows if reading.belief else ()
+    if "order" in follows:
+        return "counts the joints in its own order"
+    if "gravity" in follows:
+        return "keeps its own gravity"
+    harmful = reading.imported.harmful if reading.imported else ()
+    if not harmful:
+        return "computes something else"
+    worst = max(harmful, key=lambda one: one.cost or 0.0)
+    alike = [one for one in harmful if one.kind == worst.kind]
+    return _CLAUSES.get(worst.kind, _other)(alike)
+
+
+def _added(alike: Sequence[ImportDifference]) -> str:
+    return f"has added {_mass(sum(one.mass for one in alike))}"
+
+
+def _lost(alike: Sequence[ImportDifference]) -> str:
+    return f"has lost {_mass(-sum(one.mass for one in alike))}"
+
+
+def _unrotated(alike: Sequence[ImportDifference]) -> str:
+    return f"has left {_count(alike, 'tensor')} unrotated"
+
+
+def _motors(alike: Sequence[ImportDifference]) -> str:
+    return f"holds another motor inertia at {_count(alike, 'joint')}"
+
+
+def _axes(alike: Sequence[ImportDifference]) -> str:
+    return (
+        "turns a joint about another axis" if len(alike) == 1 else "turns joints about other axes"
+    )
+
+
+def _other(alike: Sequence[ImportDifference]) -> str:
+    what = {"mass-changed": "mass", "com-moved": "centre of mass", "tensor-changed": "tensor"}
+    place = alike[0].where if len(alike) == 1 else f"{len(alike)} links"
+    return f"holds another {what.get(alike[0].kind, alike[0].kind)} of {place}"
+
+
+_CLAUSES = {
+    "default-inertia": _added,
+    "shape-mass": _added,
+    "body-lost": _lost,
+    "rotation-dropped": _unrotated,
+    "armature": _motors,
+    "axis": _axes,
+}
+
+
+def _verdict(report: EngineReport, model: str, limit: float) -> str:
+    stage = report.as_read
+    groups = stage.matrix.agreeing(limit)
+    same = next(group for group in groups if "own" in group)
+    others = [r for r in stage.readings if r.key not in same]
+    if len(stage.readings) == 1:
+        return "Only our own recursion has read it: install another engine to compare."
+    names = listed([REGISTRY[key].title for key in same])
+    said = f"{names} hold the same robot" if len(same) > 1 else f"No engine agrees with {names}"
+    said += "; " + "; ".join(_deviant(report, r) for r in others) if others else ""
+    mendable = [r.key for r in others if _is_mended(report, r.key, limit)]
+    if not mendable:
+        return f"{said}."
+    commands = listed([f"`ur5check expand {model} --for {key}`" for key in mendable])
+    return f"{said}. {commands} {'mends it' if len(mendable) == 1 else 'mend it'}."
+
+
+def _deviant(report: EngineReport, reading: Reading) -> str:
+    clause = f"{reading.title} {deed(reading)}"
+    if reading.refused is not None:
+        return clause
+    worst = report.as_read.matrix.between("own", reading.key)
+    name = report.arm.joints[worst.joint].name
+    return f"{clause}: {_force(worst.torque)} at joint {worst.joint + 1} ({name})"
+
+
+def _is_mended(report: EngineReport, key: str, limit: float) -> bool:
+    if report.mended is None or report.mended.reading(key).refused is not None:
+        return False
+    return report.mended.matrix.between("own", key).torque <= limit
+
+
+def _remedies(report: EngineReport, limit: float) -> str:
+    if report.mended is None:
+        return ""
+    worst = report.mended.matrix.worst
+    if report.mended.agrees(limit):
+        return f"With the remedies all engines agree to {_force(worst)}."
+    left = [f"{r.title} does not take the model" for r in report.mended.refusals] + (
+        [f"torques differ by up to {_force(worst)}"] if worst > limit else []
+    )
+    return f"With the remedies {listed(left)}."
+
+
+def _use(reading: Reading) -> str:
+    """What bears on no torque, but on whoever drives this engine by hand."""
+    if reading.imported is None or reading.key == "own":
+        return ""
+    kinds = reading.imported.kinds
+    differ = [kind for kind in _LOST if kinds[kind]]
+    lost = [k for k in differ if all(one.held in _NOTHING for one in _alike(reading, k))]
+    other = [kind for kind in differ if kind not in lost]
+    without = listed([_LOST[kind] for kind in lost]).replace(" and ", " or ") if lost else ""
+    notes = [f"keeps no {without}"] if lost else []
+    if other:
+        notes.append(f"keeps other {listed([_LOST[kind] for kind in other])} than the file")
+    notes += [words for kind, words in _NOTES.items() if kinds[kind]]
+    return f"{reading.title} {listed(notes)}." if notes else ""
+
+
+def _alike(reading: Reading, kind: Kind) -> list[ImportDifference]:
+    found = reading.imported.differences if reading.imported else ()
+    return [one for one in found if one.kind == kind]
+
+
+def _mass(mass: float) -> str:
+    return f"{mass:.3g} kg" if abs(mass) >= 0.01 else f"{1e3 * mass:.3g} g"
+
+
+def _force(value: float) -> str:
+    return f"{value:.4g} N m" if value >= 1e-3 or value == 0.0 else f"{value:.1e} N m"
+
+
+def _count(alike: Sequence[ImportDifference], noun: str) -> str:
+    return f"1 {noun}" if len(alike) == 1 else f"{len(alike)} {noun}s"

@@ -1,0 +1,155 @@
+"""Engines against each other: what they answer, whether it is explained, what a gate says."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from ur5check._dynamics.recursion import rnea
+from ur5check._engines.audit.engine_answers import ask, hold_against
+from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
+from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._errors import EngineError, UsageError
+from ur5check._reports.engines_summary import tell
+from ur5check._robot.states import random_states
+
+#: Planted engines whose torques are those of another arm, and what is said of each.
+SAID = {
+    "DefaultMass": "has added 1 kg",
+    "ShapeMass": "has added 6 kg",
+    "BodyLost": "has lost 0.3 kg",
+    "RotationDropped": "has left 3 tensors unrotated",
+    "MassChanged": "holds another mass of link 'upper'",
+    "CentreMoved": "holds another centre of mass of link 'upper'",
+    "Balanced": "holds another tensor of link 'upper'",
+    "MotorAdded": "holds another motor inertia at 1 joint",
+    "GravityOfItsOwn": "keeps its own gravity",
+    "OrderOfItsOwn": "counts the joints in its own order",
+}
+
+
+def compared(arm, *keys, **options):
+    return compare_engines(arm, engines=keys, samples=20, **options)
+
+
+@pytest.mark.parametrize("name", SAID)
+def test_a_planted_fault_is_explained_and_told(name, arm, plant):
+    key = plant(name)
+    report = compared(arm, key, "pinocchio")
+    assert not report.as_read.agrees()
+    assert report.as_read.matrix.agreeing(SAME_ROBOT) == (("own", "pinocchio"), (key,))
+    assert report.explained
+    verdict = tell(report)[0]
+    assert f"ur5check and Pinocchio hold the same robot; {name} {SAID[name]}: " in verdict
+    worst = report.as_read.matrix.between("own", key)
+    assert f"{worst.torque:.4g} N m at joint {worst.joint + 1}" in verdict
+
+
+@pytest.mark.parametrize("name", ["Honest", "GravityByDefault", "LimitsLost", "ToolElsewhere"])
+def test_what_bears_on_no_torque_is_no_disagreement(name, arm, plant):
+    report = compared(arm, plant(name))
+    assert report.as_read.agrees()
+    assert report.explained
+    assert report.mended is None
+
+
+def test_what_an_engine_does_not_hold_does_not_explain_what_it_computes(arm, plant):
+    key = plant("Miscalculating")
+    report = compared(arm, key)
+    (reading,) = report.as_read.unexplained
+    assert reading.key == key
+    assert not report.explained
+    assert any("Not explained: Miscalculating" in line for line in tell(report))
+
+
+def test_an_engine_that_breaks_down_is_infinitely_far(arm, plant):
+    report = compared(arm, plant("BreakingDown"))
+    assert report.as_read.matrix.worst == math.inf
+    assert not report.explained
+
+
+def test_an_engine_that_refuses_is_a_finding_and_no_agreement(arm, plant):
+    report = compared(arm, plant("Refusing"))
+    (reading,) = report.as_read.refusals
+    assert reading.refused == "it has no taste for this file"
+    assert not report.as_read.agrees()
+    assert "Refusing does not take the model" in tell(report)[0]
+
+
+def test_the_worst_state_is_worse_than_the_random_ones(arm, plant):
+    report = compared(arm, plant("DefaultMass"))
+    assert len(report.states) == report.samples + 1
+    worst = report.as_read.matrix.between("own", "defaultmass")
+    assert worst.state == report.samples
+    q, qd, qdd = (getattr(report.states, name) for name in ("q", "qd", "qdd"))
+    believed = report.as_read.reading("defaultmass").imported.believed
+    gap = np.abs(rnea(believed, q, qd, qdd) - rnea(arm, q, qd, qdd))
+    assert worst.torque == pytest.approx(gap.max(), rel=1e-12)
+    assert gap[-1].max() > 1.05 * gap[:-1].max()
+
+
+def test_gravity_is_told_to_all(arm, plant):
+    report = compared(arm, plant("Honest"), "pinocchio", gravity=(1.0, -2.0, 3.0))
+    assert report.as_read.agrees()
+    tau = report.as_read.reading("pinocchio").answers.torque
+    states = report.states
+    np.testing.assert_allclose(
+        tau, rnea(arm, states.q, states.qd, states.qdd, (1.0, -2.0, 3.0)), atol=1e-12
+    )
+
+
+def test_every_answer_is_compared(arm):
+    class Off(OwnEngine):
+        """One answer a thousandth off."""
+
+        off = ""
+
+        def __getattribute__(self, name):
+            value = super().__getattribute__(name)
+            if name != "off" and name == self.off:
+                return lambda *a: value(*a) + 1e-3
+            return value
+
+    states = random_states(arm.n, 10, seed=2)
+    tau = rnea(arm, states.q, states.qd, states.qdd)
+    ours = ask("own", OwnEngine(arm), states, tau)
+    for question, field in {
+        "inverse_dynamics": "torque",
+        "mass_matrix": "mass",
+        "bias_torque": "bias",
+        "forward_dynamics": "acceleration",
+        "forward_kinematics": "tool",
+    }.items():
+        engine = Off(arm)
+        engine.off = question
+        parity = hold_against(ours, ask("off", engine, states, tau))
+        for name in ("torque", "mass", "bias", "acceleration", "tool"):
+            assert (getattr(parity, name) > 1e-6) == (name == field), (question, name)
+
+
+def test_engines_that_are_none_and_those_that_are_absent(arm, monkeypatch):
+    from ur5check._engines import registry
+
+    with pytest.raises(UsageError, match="no engine is called 'bullet'"):
+        compare_engines(arm, engines=["bullet"])
+    absent = registry.EngineEntry("absent", "Absent", ".absent", "A", "no-such-thing", "absent")
+    monkeypatch.setitem(registry.REGISTRY, "absent", absent)
+    with pytest.raises(EngineError, match=r"pip install 'ur5check\[absent\]'"):
+        compare_engines(arm, engines=["absent"])
+    assert compare_engines(arm, engines=["pinocchio"], samples=5).absent == ("absent",)
+
+
+def test_a_matrix_groups_those_that_agree(arm, plant):
+    keys = [plant(name) for name in ("Honest", "DefaultMass", "DefaultMassAndMerging")]
+    report = compared(arm, *keys)
+    groups = report.as_read.matrix.agreeing(SAME_ROBOT)
+    assert groups == (("own", keys[0]), (keys[1], keys[2]))
+    with pytest.raises(KeyError):
+        report.as_read.matrix.between("own", "nobody")
+
+
+def test_an_arm_without_a_file_is_compared_too(plant):
+    report = compare_engines("paper", engines=[plant("Merging"), "pinocchio"], samples=20)
+    assert report.as_read.agrees()

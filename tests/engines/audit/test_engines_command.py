@@ -1,0 +1,163 @@
+"""`ur5check engines`: the gate's exit codes, and its report as text, Markdown and JSON."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import jsonschema
+import pytest
+from three_joints import ARM
+
+from repository import REPOSITORY
+from ur5check._engines.audit.import_difference import KINDS
+from ur5check.cli.main import main
+
+DOCS = REPOSITORY / "docs"
+SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "three.urdf"
+    path.write_text(ARM, encoding="utf-8")
+    return str(path)
+
+
+def engines(*arguments: object) -> int:
+    return main(["engines", *map(str, arguments), "--quiet"])
+
+
+def read_back(text: str) -> dict[str, Any]:
+    value = json.loads(text, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
+    jsonschema.Draft202012Validator(SCHEMA).validate(value)
+    return dict(value)
+
+
+def test_those_that_agree_pass(file, capsys):
+    assert engines(file, "--tip", "tool", "--with", "pinocchio", "--samples", 20) == 0
+    said = capsys.readouterr().out
+    assert "AGREE: ur5check and Pinocchio hold the same robot." in said
+    assert "--with pinocchio --fail-over 1e-10" in said
+
+
+def test_one_that_does_not_agree_fails_the_gate(file, plant, capsys):
+    key = plant("DefaultMass")
+    options = (file, "--tip", "tool", "--with", f"pinocchio,{key}", "--samples", 20)
+    assert engines(*options) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "DIFFER: ur5check and Pinocchio hold the same robot; DefaultMass has added 1 kg" in said
+    assert "default-inertia" in said
+    assert engines(*options, "--fail-over", 1e6) == 0
+
+
+def test_dart_needs_its_remedy(file, capsys):
+    options = (file, "--tip", "tool", "--with", "dart,pinocchio", "--samples", 20)
+    assert engines(*options, "--as-read") == 1
+    assert engines(*options, "--as-read", "--fail-over", 1e6) == 0
+    capsys.readouterr()
+    assert engines(*options) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "AGREE ONCE MENDED: ur5check and Pinocchio hold the same robot" in said
+    assert "DART has added 2 kg" in said  # plate and tool have no <inertial>
+    assert f"`ur5check expand {file} --for dart` mends it." in said
+
+
+def test_a_refusal_fails_the_gate(file, plant):
+    options = (file, "--tip", "tool", "--samples", 5, "--with")
+    assert engines(*options, plant("Refusing")) == 1
+    assert engines(*options, plant("Honest")) == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["appendix", "--with", "bullet"], "no engine is called 'bullet'"),
+        (["appendix", "--fail-over", "-1"], "give a torque of zero or more"),
+        (["appendix", "--fail-over", "nan"], "give a torque of zero or more"),
+        (["appendix", "--samples", "0"], "samples must be at least 1"),
+        (["appendix", "--fleet"], "--fleet takes no model"),
+        (["appendix", "--list"], "--list takes no model"),
+        (["--list", "--fleet"], "do not go together"),
+        (["--as-read"], "--as-read needs a model"),
+        (["--fleet", "--gravity", "0", "0", "-9"], "--gravity needs a model"),
+        (["nothing"], "no shipped model and no file"),
+    ],
+)
+def test_bad_usage_is_one_line_and_exit_code_2(arguments, said, capsys):
+    assert engines(*arguments) == 2
+    heard = capsys.readouterr()
+    assert heard.out == ""
+    assert said in heard.err
+    assert heard.err.count("\n") == 1
+
+
+def test_json_holds_every_number(file, plant, tmp_path):
+    out = tmp_path / "report.json"
+    key = plant("RotationDropped")
+    options = (file, "--tip", "tool", "--with", f"dart,{key}", "--samples", 20, "-o", out)
+    assert engines(*options) == 1
+    report = read_back(out.read_text(encoding="utf-8"))
+    assert report["schema"] == "ur5check.engines/1"
+    assert report["verdict"]["explained"]
+    assert not report["verdict"]["agree"]
+    assert [(row["engine"], row["stage"]) for row in report["engines"]] == [
+        (engine, stage) for stage in ("as read", "mended") for engine in ("own", "dart", key)
+    ]
+    pairs = {(row["a"], row["b"], row["stage"]): row["torque"] for row in report["parity"]}
+    assert len(pairs) == 6
+    assert pairs["own", "dart", "as read"] > 1.0 > 1e-10 > pairs["own", "dart", "mended"]
+    assert pairs["own", key, "mended"] == pairs["own", key, "as read"] > 1e-3
+    harmful = [row for row in report["imports"] if row["bears_on"] == "torque"]
+    assert {(row["engine"], row["kind"], row["stage"]) for row in harmful} == {
+        ("dart", "default-inertia", "as read"),
+        (key, "rotation-dropped", "as read"),
+        (key, "rotation-dropped", "mended"),
+    }
+    dart = [row for row in harmful if row["engine"] == "dart"]
+    assert {row["habit"] for row in dart} == {"dart-default-inertia"}
+    assert all(row["cost"] > 1e-3 for row in harmful)
+
+
+def test_json_of_what_is_no_number_is_null(file, plant, capsys):
+    assert engines(file, "--with", plant("BreakingDown"), "--tip", "tool", "--format", "json") == 1
+    (pair,) = read_back(capsys.readouterr().out)["parity"]
+    assert pair["torque"] is None
+
+
+def test_markdown_has_a_row_an_engine(file, plant, capsys):
+    options = (file, "--tip", "tool", "--with", plant("BodyLost"), "--samples", 20)
+    assert engines(*options, "--format", "markdown") == 1
+    said = capsys.readouterr().out
+    assert "**DIFFER:" in said
+    assert "| **BodyLost** | **body-lost** | **link 'weight'** |" in said
+
+
+def test_the_list_names_all_engines(capsys, tmp_path):
+    assert engines() == 0
+    said = capsys.readouterr().out
+    for title in ("ur5check", "Pinocchio", "MuJoCo", "Drake", "DART", "iDynTree"):
+        assert title in said
+    out = tmp_path / "list.json"
+    assert engines("--list", "-o", out) == 0
+    report = read_back(out.read_text(encoding="utf-8"))
+    assert [row["key"] for row in report["engines"]][:2] == ["own", "pinocchio"]
+
+
+def test_the_list_says_what_installs_an_absent_engine(capsys, monkeypatch):
+    from ur5check._engines.registry import REGISTRY, EngineEntry
+
+    absent = EngineEntry("absent", "Absent", ".absent", "A", "no-such-thing", "absent")
+    monkeypatch.setitem(REGISTRY, "absent", absent)
+    assert engines("--list") == 0
+    assert "pip install 'ur5check[absent]'" in capsys.readouterr().out
+
+
+def test_every_json_field_and_every_kind_is_on_a_page():
+    page = (DOCS / "json.md").read_text(encoding="utf-8")
+    for name in ("engines_report", "fleet_report", "referees_report", "parity_verdict"):
+        for field in SCHEMA["$defs"][name]["properties"]:
+            assert f"`{field}" in page, field
+    kinds = (DOCS / "engines.md").read_text(encoding="utf-8")
+    for kind in KINDS:
+        assert f"| `{kind}` |" in kinds, kind

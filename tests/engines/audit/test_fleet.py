@@ -1,0 +1,139 @@
+"""All engines on every serial arm of example-robot-data, and the page that tells of it.
+
+One run serves all tests here; it is most of what this folder costs.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import runpy
+import shlex
+from pathlib import Path
+
+import jsonschema
+import pytest
+from three_joints import ARM
+
+import ur5check
+from repository import REPOSITORY
+from ur5check._engines.audit import fleet_comparison as fleet_module
+from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
+from ur5check._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_fleet
+from ur5check._engines.registry import installed
+from ur5check._io.example_robots import FLEET
+from ur5check._io.urdf.urdf_reader import read_urdf
+from ur5check.cli.main import main
+from ur5check.reports.fleet_document import fleet_document
+from ur5check.reports.markdown import render_markdown
+from ur5check.reports.parity_json import fleet_json
+
+DOCS = REPOSITORY / "docs"
+PAGE = (DOCS / "engines.md").read_text(encoding="utf-8")
+COMMANDS = [
+    line
+    for block in re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL)
+    for line in block.splitlines()
+    if line.startswith("ur5check ")
+]
+#: What an engine cannot read, whatever is done to it: a tensor with a moment of zero.
+REFUSED = {("finger-edu", "mujoco")}
+
+
+@pytest.fixture(scope="session")
+def fleet():
+    return compare_fleet()
+
+
+@pytest.fixture(scope="session")
+def appendix():
+    return compare_engines("appendix", samples=FLEET_SAMPLES)
+
+
+def test_all_engines_take_part():
+    assert set(installed()) >= {"own", "pinocchio", "mujoco", "drake", "dart", "idyntree"}
+
+
+def test_with_the_remedies_all_engines_hold_the_same_robots(fleet):
+    assert len(fleet.reports) == len(FLEET) > 30
+    assert fleet.worst(as_read=False) <= SAME_ROBOT
+    for report in fleet.reports:
+        assert report.final.matrix.worst <= 1e-12  # what docs/engines.md says
+
+
+def test_before_them_every_larger_difference_is_explained(fleet):
+    larger = 0
+    for report in fleet.reports:
+        assert report.explained, report.arm.name
+        for reading in report.as_read.readings:
+            if reading.refused is not None or reading.key == "own":
+                continue
+            if report.as_read.matrix.between("own", reading.key).torque > SAME_ROBOT:
+                larger += 1
+                assert all(one.habit is not None for one in reading.imported.harmful)
+    assert larger >= 2
+
+
+def test_what_is_refused_is_known(fleet):
+    refused = {(r.arm.name, one.key) for r in fleet.reports for one in r.final.refusals}
+    assert refused == REFUSED
+
+
+def test_darts_phantom_torque_is_found_named_and_removed(appendix):
+    dart = appendix.as_read.reading("dart").imported
+    assert [(one.kind, one.where) for one in dart.harmful] == [
+        ("default-inertia", "link 'ee_link'"),
+        ("default-inertia", "link 'tool0'"),
+    ]
+    assert dart.added_mass == pytest.approx(2.0)
+    assert {one.habit.id for one in dart.harmful} == {"dart-default-inertia"}
+    assert appendix.as_read.matrix.between("own", "dart").torque > 10.0
+    assert appendix.mended.matrix.between("own", "dart").torque <= SAME_ROBOT
+
+
+def test_erd_ur5_has_the_phantom_once_its_empty_inertials_are_left_out():
+    written = ur5check.load("erd-ur5")
+    assert compare_engines(written, engines=["dart"], samples=20).as_read.agrees()
+    empty = r"<inertial>\s*<mass value=\"0\"/>.*?</inertial>"
+    text = re.sub(empty, "", written.source.urdf, flags=re.DOTALL)
+    bare = read_urdf(text.encode(), file="bare.urdf", base="base_link", tip="tool0")
+    report = compare_engines(bare, engines=["dart"], samples=20)
+    dart = report.as_read.reading("dart").imported
+    assert {one.where for one in dart.harmful} == {"link 'ee_link'", "link 'tool0'"}
+    assert report.as_read.matrix.worst > 10.0
+    assert report.explained
+    assert report.mended.agrees()
+
+
+def test_the_page_is_current(fleet, appendix):
+    generator = runpy.run_path(str(DOCS / "generate_engines.py"))
+    assert generator["page"](fleet, appendix) == PAGE, "run: python docs/generate_engines.py"
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_command_of_the_page_runs(command, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("my.urdf.xacro").write_text(ARM, encoding="utf-8")
+    monkeypatch.setattr(fleet_module, "FLEET", FLEET[-2:])
+    _, *arguments = shlex.split(command)
+    fast = ["--samples", "10"] if len(arguments) > 1 else []
+    # Left as it is, DART and MuJoCo make up a body for this arm's empty frames.
+    assert main([*arguments, *fast, "--quiet"]) == (1 if "--as-read" in arguments else 0)
+    assert capsys.readouterr().out
+
+
+def test_the_fleet_is_a_report(fleet, capsys, monkeypatch, tmp_path):
+    said = render_markdown(fleet_document(fleet))
+    assert "**AGREE: as read, the engines hold the same robot for 33 of 35 arms" in said
+    assert "finger-edu is not held against MuJoCo" in said
+    assert "**DIFFER:" in render_markdown(fleet_document(fleet, as_read=True))
+    schema = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
+    report = json.loads(json.dumps(fleet_json(fleet), allow_nan=False))
+    jsonschema.Draft202012Validator(schema).validate(report)
+    assert report["agree"]
+    assert not fleet_json(fleet, as_read=True)["agree"]
+    monkeypatch.setattr(fleet_module, "FLEET", [one for one in FLEET if one.name == "xarm7"])
+    options = ["engines", "--fleet", "--with", "dart", "--samples", "5", "--quiet"]
+    assert main(options) == 0
+    assert "DART has added 1 kg" in capsys.readouterr().out
+    assert main([*options, "--as-read"]) == 1

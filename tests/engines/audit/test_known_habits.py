@@ -1,0 +1,58 @@
+"""What real engines really do to a small arm with empty frames: found, named, explained, mended."""
+
+from __future__ import annotations
+
+import pytest
+from three_joints import ARM
+
+from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
+from ur5check._io.urdf.urdf_reader import read_urdf
+
+#: Per engine: what it is found to do that bears on torque (kind, place, kilograms), and its habit.
+HABITS = {
+    "pinocchio": ([], None),
+    "mujoco": ([("shape-mass", "link 'plate'", 6.0)], "mujoco-mass-from-shape"),
+    "drake": ([], None),
+    "dart": (
+        [("default-inertia", "link 'plate'", 1.0), ("default-inertia", "link 'tool'", 1.0)],
+        "dart-default-inertia",
+    ),
+    "idyntree": ([], None),
+}
+
+
+@pytest.fixture(scope="module")
+def report(arm):
+    return compare_engines(arm, samples=20)
+
+
+@pytest.mark.parametrize("key", HABITS)
+def test_a_habit_is_found_named_and_explained(key, report):
+    faults, habit = HABITS[key]
+    reading = report.as_read.reading(key)
+    found = reading.imported.harmful
+    assert sorted((one.kind, one.where, round(one.mass, 9)) for one in found) == faults
+    assert {one.habit.id for one in found} == ({habit} if habit else set())
+    assert reading.belief.explained
+    torque = report.as_read.matrix.between("own", key).torque
+    assert (torque > SAME_ROBOT) == bool(faults)
+
+
+def test_with_the_remedies_all_agree(report):
+    assert report.mended.agrees()
+    assert all(reading.imported.harmful == () for reading in report.mended.readings)
+
+
+def test_drake_replaces_a_tensor_that_misses_by_its_last_digit():
+    # 0.001 + 0.002 < 0.0030001: a thin plate, printed with one digit more than it has.
+    text = ARM.replace('izz="0.0015"', 'izz="0.0030001"')
+    thin = read_urdf(text.encode(), file="thin.urdf", base="base", tip="tool")
+    report = compare_engines(thin, engines=["drake", "mujoco"], samples=20)
+    (changed,) = report.as_read.reading("drake").imported.harmful
+    assert (changed.kind, changed.where) == ("tensor-changed", "link 'hand'")
+    assert changed.habit.id == "drake-impossible-tensor"
+    assert changed.cost > 0.01
+    assert report.explained
+    # MuJoCo says what is wrong and takes nothing; no rewriting of ours invents a tensor.
+    assert "A + B >= C" in report.as_read.reading("mujoco").refused
+    assert not report.final.agrees()
