@@ -41,14 +41,14 @@ from mutations import (
     same_motion,
 )
 
+from ur5check._comparison.arm_pair import pair_up
+from ur5check._comparison.diagnosis.diagnosis import Diagnosis, diagnose
 from ur5check._robot import SerialArm
 from ur5check._robot.states import States, random_states
-from ur5check.comparison.pair import pair_up
-from ur5check.diagnosis.diagnosis import Diagnosis, diagnose
 
 __all__ = ["SCHEMA", "main", "measure"]
 
-SCHEMA = "ur5check.diagnosis-benchmark/1"
+SCHEMA = "ur5check._comparison.diagnosis-benchmark/1"
 NOISE = 0.01
 _STATES = 1000
 _PAGE = Path(__file__).parents[1] / "docs" / "diagnosis-benchmark.md"

@@ -1,7 +1,7 @@
 """Known mistakes, planted in an arm the way people make them.
 
-Written from the names of the mistakes alone: nothing here looks at how `ur5check.diagnosis` undoes
-them.  The numbers are altered where an author alters them, in the frames of the file: at the link's
+Written from the names of the mistakes alone: nothing here looks at how
+`ur5check._comparison.diagnosis` undoes them.  The numbers are altered where an author alters them, in the frames of the file: at the link's
 joint for a URDF, at its far end for a DH table.
 
 `plantings` gives every way in which a mistake can be made in one link.  Two mistakes may well come

@@ -13,8 +13,8 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
-from ur5check.diagnosis import search
-from ur5check.diagnosis.catalogue import CATALOGUE
+from ur5check._comparison.diagnosis import mistake_search as search
+from ur5check._comparison.diagnosis.mistakes import CATALOGUE
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "diagnosis.md"

@@ -29,9 +29,10 @@ ENGINES = {
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))
 
 
-#: Folders inside a folder that are packages of their own: what they import, their parent must not.
+#: Parts of a folder that count as packages of their own: the rest of the folder is above or below.
 INNER = {
     "_comparison/diagnosis",
+    "_comparison/explanation",
     "_comparison/identifiability",
     "_comparison/rounding",
     "_comparison/worst_case",
@@ -45,11 +46,10 @@ INNER = {
 
 
 def package_of(file: str) -> str:
-    """The folder at the top that a file stands in, or the folder inside one that is listed."""
-    folder = Path(file).parent.as_posix()
-    if folder in INNER:
-        return folder
-    return file.split("/")[0].removesuffix(".py")
+    """The part of `INNER` that a file belongs to, or else the folder at the top."""
+    top, *rest = file.removesuffix(".py").split("/")
+    inner = "/".join([top, *rest[:1]])
+    return inner if inner in INNER else top
 
 
 def imports(file: str) -> list[tuple[str, bool]]:

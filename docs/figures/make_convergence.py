@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import ur5check
-from ur5check.comparison.pair import pair_up
+from ur5check._comparison.arm_pair import pair_up
 from ur5check.figures.convergence_figure import draw_convergence
 from ur5check.figures.files import as_png, as_svg
 from ur5check.paper.cases import case

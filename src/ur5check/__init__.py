@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 from ._version import __version__
 
 if TYPE_CHECKING:
+    from ._comparison.difference import diff
+    from ._comparison.explanation import explain
     from ._dynamics.compiled.kernel import compile  # noqa: A004 - the word for it
     from ._dynamics.equations import (
         coriolis_matrix,
@@ -31,8 +33,6 @@ if TYPE_CHECKING:
     from ._io.loading import load
     from ._robot.serial_arm import SerialArm
     from .checks.validation import validate
-    from .comparison.difference import diff
-    from .explanation.explanation import explain
     from .sweeping.sweep import sweep
 
 _HOMES = {
@@ -40,8 +40,8 @@ _HOMES = {
     "compare_engines": "._engines.audit.engine_comparison",
     "compile": "._dynamics.compiled.kernel",
     "coriolis_matrix": "._dynamics.equations",
-    "diff": ".comparison.difference",
-    "explain": ".explanation.explanation",
+    "diff": "._comparison.difference",
+    "explain": "._comparison.explanation",
     "forward_dynamics": "._dynamics.equations",
     "forward_kinematics": "._dynamics.kinematics",
     "gravity_torque": "._dynamics.equations",

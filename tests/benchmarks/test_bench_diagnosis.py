@@ -31,7 +31,7 @@ def quick(bench: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> dict[s
 
 
 def test_report_has_its_structure(bench: ModuleType, quick: dict[str, Any]) -> None:
-    assert quick["schema"] == "ur5check.diagnosis-benchmark/1"
+    assert quick["schema"] == "ur5check._comparison.diagnosis-benchmark/1"
     assert set(quick) == {"schema", "seed", "arms", "noise", "states", "cases", "clean"}
     assert {case["mistake"] for case in quick["cases"]} == set(bench.MISTAKES)
     assert {case["noise"] for case in quick["cases"]} == {0.0, 0.01}

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 import ur5check
 from examples import UR5S, planar_arm, random_arm
 from ur5check import strategies
+from ur5check._comparison.alignment import SAME_LENGTH, align, arm_in_coordinates_of
 from ur5check._errors import UsageError
 from ur5check._robot import Joint, Limits, SerialArm, Transform
 from ur5check._robot.states import random_states
-from ur5check.comparison.alignment import SAME_LENGTH, align, arm_in_coordinates_of
 
 
 def in_other_coordinates(arm, T_ab, signs, offsets):

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 import ur5check
 from examples import random_arm
 from ur5check import strategies
+from ur5check._comparison.arm_pair import pair_up
+from ur5check._comparison.attribution import Owner, attribute
+from ur5check._comparison.shapley import shares
 from ur5check._robot import Transform
 from ur5check._robot.states import random_states
-from ur5check.comparison.attribution import Owner, attribute
-from ur5check.comparison.pair import pair_up
-from ur5check.comparison.shares import shares
 
 
 @given(st.data())

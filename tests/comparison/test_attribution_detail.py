@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 import ur5check
 from examples import random_arm
 from ur5check import strategies
+from ur5check._comparison.arm_pair import pair_up
+from ur5check._comparison.attribution import PARAMETER_OWNERS, Owner, attribute
+from ur5check._comparison.attribution_detail import by_parameter, by_term
 from ur5check._robot import PARAMETERS, Inertia, Joint, Link, SerialArm, Transform
 from ur5check._robot.states import random_states
-from ur5check.comparison.attribution import PARAMETER_OWNERS, Owner, attribute
-from ur5check.comparison.attribution_detail import by_parameter, by_term
-from ur5check.comparison.pair import pair_up
 
 ARM = random_arm(4, seed=8)
 STATES = random_states(4, 30, seed=9)

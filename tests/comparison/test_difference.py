@@ -7,8 +7,8 @@ import pytest
 
 import ur5check
 from examples import random_arm
+from ur5check._reports.difference_summary import base_in_words, tell
 from ur5check._robot import Transform
-from ur5check.comparison.story import base_in_words, tell
 
 
 def told(a, b, **options):

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import ur5check
+from ur5check._comparison.arm_pair import pair_up
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._engines.recursion_engine import OwnEngine
 from ur5check._errors import UsageError
-from ur5check.comparison.pair import pair_up
 from ur5check.control.computed_torque import ComputedTorque, effort_limits
 from ur5check.control.error_dynamics import companion_matrix, poles
 from ur5check.control.gains import Gains

@@ -9,9 +9,9 @@ from typing import Any, get_args
 import pytest
 
 from repository import REPOSITORY
+from ur5check._comparison.diagnosis import arm_mistakes as whole_arm
+from ur5check._comparison.diagnosis.mistakes import CATALOGUE
 from ur5check._io.shipped_models import CATALOG
-from ur5check.diagnosis import whole_arm
-from ur5check.diagnosis.catalogue import CATALOGUE
 
 DOCS = REPOSITORY / "docs"
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from ur5check._comparison.rounding.cylinder_constant import cut_twelfths
 from ur5check._robot.inertia import Inertia
-from ur5check.digits.cylinder_constant import cut_twelfths
 from ur5check.paper.evidence import Evidence
 from ur5check.paper.inertia_formulas import (
     EQ_3,

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 import ur5check
+from ur5check._comparison.difference import Difference
+from ur5check._comparison.explanation import Explanation
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._robot.states import random_states
 from ur5check.checks.validation import Validation, validate_arm
-from ur5check.comparison.difference import Difference
-from ur5check.explanation.explanation import Explanation
 
 SAMPLES = 200
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import ur5check
+from ur5check._comparison.difference import Difference, compare
 from ur5check._robot import Transform
 from ur5check._robot.states import random_states
 from ur5check.checks.validation import Validation
-from ur5check.comparison.difference import Difference, compare
 from ur5check.reports.arm_document import arm_document
 from ur5check.reports.difference_document import difference_document
 from ur5check.reports.terminal import render_text

@@ -7,11 +7,11 @@ from dataclasses import replace
 import pytest
 
 import ur5check
-from ur5check.comparison.attribution_detail import by_parameter
-from ur5check.comparison.difference import Difference
-from ur5check.diagnosis.diagnosis import diagnose
-from ur5check.explanation.explanation import Explanation
-from ur5check.explanation.story import removed
+from ur5check._comparison.attribution_detail import by_parameter
+from ur5check._comparison.diagnosis.diagnosis import diagnose
+from ur5check._comparison.difference import Difference
+from ur5check._comparison.explanation import Explanation
+from ur5check._reports.explanation_summary import removed
 from ur5check.reports.difference_document import difference_document
 from ur5check.reports.document import Document, Section, Table
 from ur5check.reports.explained.findings import findings_section

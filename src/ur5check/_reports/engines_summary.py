@@ -8,7 +8,7 @@ from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.import_difference import ImportDifference, Kind
 from .._engines.registry import REGISTRY
-from ..comparison.story import listed
+from .difference_summary import listed
 
 __all__ = ["deed", "tell"]
 

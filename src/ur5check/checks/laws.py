@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._comparison.motion_difference import tool_errors
 from .._robot.transforms import Array
-from ..comparison.motion import tool_errors
 from .check import Check, Measurement, Tolerance
 from .subject import STEP, Subject
 

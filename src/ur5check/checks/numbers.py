@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
+from .._comparison.difference import Difference
 from .._engines.engine import Engine
 from .._robot.transforms import Array
-from ..comparison.alignment import SAME_ANGLE, SAME_LENGTH
-from ..comparison.difference import Difference
 from .check import Check, Measurement, Tolerance
 from .subject import Subject
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..comparison import story as difference_story
+from .._reports import difference_summary as difference_story
 from .check import Outcome
 from .validation import Validation
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
+from .._comparison.difference import Difference, compare, under_gravity
 from .._engines.engine import Referee
 from .._engines.recursion_engine import OwnEngine
 from .._io.loading import ArmSource, load
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
-from ..comparison.difference import Difference, compare, under_gravity
 from .check import Outcome, run
 from .laws import LAWS
 from .numbers import BODIES, PAIRS, PairSubject

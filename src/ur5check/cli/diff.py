@@ -64,10 +64,10 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=args.quiet)
     _check_outputs(args, options.files(arms))
 
+    from .._comparison.attribution_detail import by_parameter
+    from .._comparison.difference import diff
+    from .._comparison.explanation import explain
     from .._robot.states import MAX_ACCELERATION
-    from ..comparison.attribution_detail import by_parameter
-    from ..comparison.difference import diff
-    from ..explanation.explanation import explain
     from ..reports.difference_document import difference_document
     from ..reports.json_report import difference_json
 

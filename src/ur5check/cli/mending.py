@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from .._comparison.diagnosis.diagnosis import Diagnosis, Finding
+from .._comparison.explanation import Explanation
 from .._io.urdf.urdf_writer import urdf_of
-from ..diagnosis.diagnosis import Diagnosis, Finding
-from ..explanation.explanation import Explanation
 from .output import emit
 
 __all__ = ["mend"]

@@ -1,8 +1,8 @@
 """A controller and a plant, closed into a loop: how well does the arm follow, and at what price?
 
 The plant is whatever engine holds the arm that moves; the controller believes in its own.  Both
-speak the same joint coordinates (`comparison.pair` brings one arm's into another's).  The loop is
-continuous: torques follow the state without delay.  What is measured is then the model's and the
+speak the same joint coordinates (`_comparison.arm_pair` brings one arm's into another's).  The loop
+is continuous: torques follow the state without delay.  What is measured is then the model's and the
 law's doing, not the sampling's.
 """
 

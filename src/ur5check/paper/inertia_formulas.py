@@ -12,10 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._comparison.diagnosis.cylinder_fit import fit_cylinder
+from .._comparison.rounding.cylinder_constant import CutTwelfth, cut_twelfths
+from .._comparison.rounding.decimals import half_units
 from .._robot.serial_arm import SerialArm
-from ..diagnosis.cylinder import fit_cylinder
-from ..digits.cylinder_constant import CutTwelfth, cut_twelfths
-from ..digits.decimals import half_units
 
 __all__ = ["EQ_3", "FORMULAS", "Formula", "TensorFormula", "tensor_formulas", "which_formula"]
 

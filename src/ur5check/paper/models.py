@@ -13,12 +13,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from .._comparison.arm_pair import pair_up
 from .._dynamics.equations import gravity_torque
 from .._engines.engine import Engine
 from .._io.loading import load
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..comparison.pair import pair_up
 
 __all__ = ["PINOCCHIO", "PRINTED", "REPAIRED", "Form", "Model", "load_models", "referee_model"]
 
@@ -54,8 +54,8 @@ class Model:
 def load_models() -> tuple[Model, ...]:
     """All five, what is printed first.
 
-    The UR5's geometry is that of Table 1 with the controller's values.  `comparison.pair` carries
-    each model's inertias there: in space where the axes coincide, number by number where, as in the
+    The UR5's geometry is that of Table 1 with the controller's values.  `_comparison.arm_pair`
+    carries each model's inertias there: in space where the axes coincide, number by number where, as in the
     listing, signs are lost and they do not.
     """
     table_1 = load(REPAIRED)

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from .._comparison.rounding.cylinder_constant import CutTwelfth, cut_twelfths
+from .._comparison.rounding.decimals import half_units
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..digits.cylinder_constant import CutTwelfth, cut_twelfths
-from ..digits.decimals import half_units
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .inertia_formulas import EQ_3, TensorFormula

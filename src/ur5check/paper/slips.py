@@ -10,11 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._comparison.arm_pair import pair_up
+from .._comparison.diagnosis.diagnosis import Finding, diagnose
 from .._dynamics.equations import gravity_torque
 from .._robot.serial_arm import SerialArm
 from .._robot.states import random_states
-from ..comparison.pair import pair_up
-from ..diagnosis.diagnosis import Finding, diagnose
 from .runs import Run
 
 __all__ = ["SlipEffect", "Slips", "find_slips", "slip_effect"]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ..comparison.attribution import Attribution
-from ..comparison.difference import Difference
-from ..comparison.story import tell as tell_difference
-from ..explanation.explanation import Explanation
-from ..explanation.story import tell as tell_explanation
+from .._comparison.attribution import Attribution
+from .._comparison.difference import Difference
+from .._comparison.explanation import Explanation
+from .._reports.difference_summary import tell as tell_difference
+from .._reports.explanation_summary import tell as tell_explanation
 from .document import Document, Section, Verdict
 from .explained.bodies import bodies_section
 from .explained.digits import digits_section

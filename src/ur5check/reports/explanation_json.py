@@ -7,14 +7,14 @@ from dataclasses import asdict
 
 import numpy as np
 
-from ..comparison.attribution import Attribution
-from ..comparison.pair import Side
-from ..diagnosis.diagnosis import Diagnosis
-from ..digits.error_budget import ErrorBudget
-from ..explanation.explanation import Explanation
-from ..explanation.story import removed, tell
+from .._comparison.arm_pair import Side
+from .._comparison.attribution import Attribution
+from .._comparison.diagnosis.diagnosis import Diagnosis
+from .._comparison.explanation import Explanation
+from .._comparison.rounding.error_budget import ErrorBudget
+from .._comparison.worst_case.worst_case import WorstCase
+from .._reports.explanation_summary import removed, tell
 from ..plausibility.plausible_body import Plausibility
-from ..worst_case.worst_case import WorstCase
 from .json_values import Report
 
 __all__ = ["attribution_value", "explanation_value"]

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from .._comparison.alignment import Alignment
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import Joint, SerialArm
-from ..comparison.alignment import Alignment
 
 __all__ = [
     "Report",

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._comparison.arm_pair import Pair, pair_up
 from .._dynamics.batching import joint_array
 from .._dynamics.equations import gravity_torque
 from .._dynamics.kinematics import forward_kinematics
@@ -18,7 +19,6 @@ from .._errors import UsageError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .._version import __version__
-from ..comparison.pair import Pair, pair_up
 from .admission import admit
 from .equilibrium import growth_rate
 from .flight import Say, integrated, silent, stepped

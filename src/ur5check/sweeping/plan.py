@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .._comparison.arm_pair import Pair
+from .._comparison.worst_case.state_box import state_box
 from .._errors import UsageError
 from .._robot.serial_arm import SerialArm, Source
 from .._robot.transforms import Array
 from .._version import __version__
-from ..comparison.pair import Pair
-from ..worst_case.state_box import state_box
 from .reach_map import ReachGrid, reach_grid, tool_position
 from .sample import BLOCK, Sample, blocks_of, box_value
 from .tally import Tally, merged, tally_of

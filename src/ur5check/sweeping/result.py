@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._comparison.arm_pair import Pair
+from .._comparison.difference import SAME_TORQUE
+from .._comparison.worst_case.state_box import effort_limits
 from .._robot.transforms import Array
-from ..comparison.difference import SAME_TORQUE
-from ..comparison.pair import Pair
-from ..worst_case.state_box import effort_limits
 from .exact import mean
 from .magnitudes import quantile
 from .plan import Plan

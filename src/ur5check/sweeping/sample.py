@@ -12,9 +12,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from .._comparison.worst_case.state_box import StateBox
 from .._robot.states import States
 from .._robot.transforms import Array
-from ..worst_case.state_box import StateBox
 from .loops import drawn
 from .rows import placed
 

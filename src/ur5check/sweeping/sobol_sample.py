@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .._comparison.worst_case.state_box import StateBox
 from .._robot.states import States
-from ..worst_case.state_box import StateBox
 from .sample import BLOCK, box_value, in_box
 
 __all__ = ["SobolSample"]

@@ -17,14 +17,14 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._comparison.arm_pair import Pair, pair_up
+from .._comparison.difference import under_gravity
+from .._comparison.worst_case.state_box import StateBox, state_box
 from .._dynamics.recursion import rnea
 from .._errors import UsageError
 from .._io.loading import ArmSource, load
 from .._robot.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
 from .._robot.transforms import Array
-from ..comparison.difference import under_gravity
-from ..comparison.pair import Pair, pair_up
-from ..worst_case.state_box import StateBox, state_box
 from .checkpoint import load as load_checkpoint
 from .crew import Crew
 from .crew import threads as threads_crew

@@ -59,7 +59,7 @@ def compile(  # noqa: A001 - the word for it
 def compile_difference(
     a: SerialArm, b: SerialArm, threads: int = 1, *, path: Path | None = None
 ) -> DifferenceKernel:
-    """τ_a − τ_b of two arms in one set of joint coordinates (`comparison.pair` makes them so).
+    """τ_a − τ_b of two arms in one set of joint coordinates (`_comparison.arm_pair` makes them so).
 
     Raises UsageError as `compile`, and for arms of different length.
     """

@@ -15,11 +15,11 @@ from itertools import combinations
 
 import numpy as np
 
+from ..._comparison.shapley import shares
 from ..._dynamics.kinematics import link_frames
 from ..._robot.inertia import Inertia
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
-from ...comparison.shares import shares
 from ..imported_model import Holdings
 from .audit_tolerances import parameter_rounding
 from .import_difference import ImportDifference, Kind
@@ -133,7 +133,7 @@ def _named(
 
 
 def _number_by_number(part: _Part, n: int, i: int, tolerance: Array) -> list[ImportDifference]:
-    """Mass, centre of mass and tensor, each with its share of Δπ (`comparison.shares`)."""
+    """Mass, centre of mass and tensor, each with its share of Δπ (`_comparison.shapley`)."""
     if part.held[0] <= 0.0 or _total(part.written)[0] <= 0.0:
         delta = part.held - _total(part.written)
         return [_named("mass-changed", part.written[0], f"{part.held[0]:.4g} kg", n, i, delta)]

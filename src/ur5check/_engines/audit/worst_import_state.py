@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..._comparison.arm_pair import pair_up
+from ..._comparison.worst_case.worst_case import worst_cases
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
-from ...comparison.pair import pair_up
-from ...worst_case.worst_case import worst_cases
 
 __all__ = ["join_states", "worst_state"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...explanation.explanation import Explanation
+from ..._comparison.explanation import Explanation
 from ...plausibility.plausible_body import Plausibility, Severity
 from ..document import Column, Row, Section, Table
 from ..wording import figures

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...digits.error_budget import BudgetItem
-from ...explanation.explanation import Explanation
+from ..._comparison.explanation import Explanation
+from ..._comparison.rounding.error_budget import BudgetItem
 from ..document import Column, Row, Section, Table
 from ..wording import figures, residue
 

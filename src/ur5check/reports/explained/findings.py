@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ...comparison.story import listed
-from ...diagnosis.diagnosis import Diagnosis, Finding
-from ...explanation.explanation import Explanation
-from ...explanation.story import removed
+from ..._comparison.diagnosis.diagnosis import Diagnosis, Finding
+from ..._comparison.explanation import Explanation
+from ..._reports.difference_summary import listed
+from ..._reports.explanation_summary import removed
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures, residue
 

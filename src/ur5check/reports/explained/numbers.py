@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...comparison.alignment import SAME_LENGTH
-from ...comparison.difference import Difference
-from ...comparison.parameters import LinkParameters
+from ..._comparison.alignment import SAME_LENGTH
+from ..._comparison.difference import Difference
+from ..._comparison.parameter_table import LinkParameters
 from ..document import Column, Row, Section, Table
 from ..pair_parts import alignment_lines, torque_table
 from ..wording import coordinates, figures, link_label

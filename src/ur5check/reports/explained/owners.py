@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...comparison.attribution import Attribution
-from ...comparison.attribution_detail import TermAttribution
-from ...comparison.difference import Difference
+from ..._comparison.attribution import Attribution
+from ..._comparison.attribution_detail import TermAttribution
+from ..._comparison.difference import Difference
 from ..document import Column, Row, Section, Table
 from ..pair_parts import owner_rows, owner_table
 from ..wording import figures, residue

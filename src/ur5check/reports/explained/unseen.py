@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ..._comparison.explanation import Explanation
+from ..._comparison.identifiability.identifiability import Identifiability, Label
 from ..._robot.inertia import PARAMETERS
-from ...explanation.explanation import Explanation
-from ...identifiability.identifiability import Identifiability, Label
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures, residue
 

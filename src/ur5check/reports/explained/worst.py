@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ..._comparison.explanation import Explanation
+from ..._comparison.worst_case.worst_case import WorstCase
 from ..._robot.serial_arm import Joint
-from ...explanation.explanation import Explanation
-from ...worst_case.worst_case import WorstCase
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures, percent, posture
 

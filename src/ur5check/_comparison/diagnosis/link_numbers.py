@@ -1,0 +1,163 @@
+"""One link's numbers as its file writes them, and both sides of a comparison in that form.
+
+A mistake is made in a file, in the frames of that file.  So the search looks at each side in turn
+as the suspect, holds the suspect's numbers as they were written, and takes the other side's numbers
+into the same frames: those are what the suspect's should have been.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..._robot.inertia import Inertia
+from ..._robot.serial_arm import Link, SerialArm
+from ..._robot.transforms import Array, Transform
+from ..alignment import SAME_LENGTH
+from ..arm_pair import Pair, Side
+
+__all__ = ["Body", "Scene", "body_of", "changed_bodies", "with_body"]
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """What a file says of one link, in the frame in which it says it.
+
+    mass [kg];  com, shape (3,) [m];  tensor about it, shape (3, 3) [kg m²]
+    reach : from the link's joint to its far end, shape (3,) [m]
+    turn : rotation from the link's far frame to its near one, R(P_i), shape (3, 3)
+    offset : the same way as `reach`, as the file gives it, shape (3,) [m]: before the turn (a
+        URDF's xyz, a DH row's a and d), or after it if `after_turn` (a listing's r_{i−1,i})
+    near : whether the frame stands at the link's joint (a URDF) or at its far end (a DH table)
+    welded : (name, inertia in the same frame) of the bodies fixed to the link, which it contains
+    """
+
+    mass: float
+    com: Array
+    tensor: Array
+    reach: Array
+    turn: Array
+    offset: Array
+    after_turn: bool
+    near: bool
+    welded: tuple[tuple[str, Inertia], ...] = ()
+
+    @property
+    def whole(self) -> Inertia:
+        """Mass, centre and tensor together."""
+        return Inertia(self.mass, self.com, self.tensor)
+
+    def centre_off_link(self) -> float:
+        """How far the centre of mass lies from the straight line between joint and far end [m]."""
+        from_joint = self.com if self.near else self.com + self.reach
+        length_squared = float(self.reach @ self.reach)
+        along = float(from_joint @ self.reach) / length_squared if length_squared > 0.0 else 0.0
+        return float(np.linalg.norm(from_joint - min(max(along, 0.0), 1.0) * self.reach))
+
+    @property
+    def steiner(self) -> Array:
+        """What parallel axes add to the tensor about the frame's origin: m (c·c 1 − c cᵀ)."""
+        c = self.com
+        return np.asarray(self.mass * (c @ c * np.eye(3) - np.outer(c, c)))
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A suspect's bodies, and what the other side says that they should be.
+
+    side : which arm of the pair is the suspect
+    bodies, truth : link by link, both in the suspect's own source frames
+    """
+
+    side: Side
+    bodies: tuple[Body, ...]
+    truth: tuple[Body, ...]
+
+    def unequal_offsets(self) -> int:
+        """How many links' offsets differ by more than a micrometre."""
+        return sum(
+            float(np.abs(own.offset - true.offset).max()) > SAME_LENGTH
+            for own, true in zip(self.bodies, self.truth, strict=True)
+        )
+
+    @classmethod
+    def of(cls, pair: Pair, side: Side) -> Scene:
+        """The pair with `side` as the suspect."""
+        arms = {"a": pair.a, "b": pair.given_b}
+        suspect, other = (arms[side], arms["a" if side == "b" else "b"])
+        maps = [T.inverse() if side == "b" else T for T in pair.link_maps]
+        if pair.number_by_number:
+            # Number by number, as both files write them; a DH file may write a and d, or r.
+            ways = [
+                cls(side, _bodies(suspect, after_turn), _bodies(other, after_turn))
+                for after_turn in (False, True)
+            ]
+            return min(ways, key=lambda scene: scene.unequal_offsets())
+        bodies = _bodies(suspect)
+        truth = tuple(
+            _taken_over(own, link, T, as_written)
+            for own, link, T, as_written in zip(
+                suspect.links, other.links, maps, bodies, strict=True
+            )
+        )
+        return cls(side, bodies, truth)
+
+
+def _bodies(arm: SerialArm, after_turn: bool = False) -> tuple[Body, ...]:
+    return tuple(body_of(arm, i, after_turn) for i in range(arm.n))
+
+
+def _taken_over(own: Link, other: Link, T: Transform, as_written: Body) -> Body:
+    """The other side's inertia in the suspect's source frame; the geometry is the suspect's."""
+    to_source = own.source_frame.inverse() @ T
+    inertia = other.inertia.expressed_in(to_source)
+    welded = tuple((name, part.expressed_in(to_source)) for name, part in other.welded)
+    return replace(
+        as_written, mass=inertia.mass, com=inertia.com, tensor=inertia.tensor, welded=welded
+    )
+
+
+def changed_bodies(scene: Scene, link: int, body: Body) -> Scene:
+    """The scene with one of the suspect's bodies replaced."""
+    return replace(scene, bodies=(*scene.bodies[:link], body, *scene.bodies[link + 1 :]))
+
+
+def body_of(arm: SerialArm, link: int, after_turn: bool = False) -> Body:
+    """The numbers of one link (from 0), as its source writes them.
+
+    after_turn : whether the source gives r_{i−1,i} rather than what comes before the turn; never
+        so for a URDF
+    """
+    own = arm.links[link]
+    to_source = own.source_frame.inverse()
+    inertia = own.inertia.expressed_in(to_source)
+    welded = tuple((name, part.expressed_in(to_source)) for name, part in own.welded)
+    P, near = own.far_end, own.held_near
+    reach = P.p if near else to_source.R @ P.R.T @ P.p
+    after_turn = after_turn and not near
+    return Body(
+        inertia.mass,
+        inertia.com,
+        inertia.tensor,
+        reach,
+        P.R,
+        reach if after_turn else P.p,
+        after_turn,
+        near,
+        welded,
+    )
+
+
+def with_body(arm: SerialArm, link: int, body: Body) -> SerialArm:
+    """The arm with the numbers of one link (from 0) replaced by `body`'s, in its source's frame."""
+    old, written = arm.links[link], body_of(arm, link, body.after_turn)
+    far_end, source_frame = old.far_end, old.source_frame
+    same = np.array_equal(body.offset, written.offset) and np.array_equal(body.turn, written.turn)
+    if not same:
+        p = body.turn @ source_frame.R @ body.offset if body.after_turn else body.offset
+        far_end = Transform(body.turn, p)
+        source_frame = far_end.inverse() if body.near else source_frame
+    inertia = body.whole.expressed_in(source_frame)
+    new = replace(old, far_end=far_end, inertia=inertia, source_frame=source_frame)
+    return replace(arm, links=(*arm.links[:link], new, *arm.links[link + 1 :]))

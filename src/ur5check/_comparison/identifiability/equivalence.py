@@ -1,0 +1,110 @@
+"""Different numbers, same dynamics: are two arms apart only in what torque cannot see?
+
+A parameter difference Δπ is split into a part that the base parameters carry, which torque sees,
+and a part in the null space, which it does not:
+
+    visible[base] = Δπ[base] + β Δπ[dependent],   visible[dependent] = 0,   invisible = Δπ − visible
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..._dynamics.recursion import rnea
+from ..._dynamics.regressor import torque_regressor
+from ..._robot.states import States
+from ..._robot.transforms import Array
+from ..arm_pair import Pair
+from .identifiability import Identifiability, identify
+
+__all__ = ["TOLERANCE", "Equivalence", "VisibleSplit", "equivalence", "split"]
+
+#: Part of the largest torque that no two careful models agree on: `difference.SAME_TORQUE`, written
+#: here again because `difference` stands above this file.  A test holds the two equal.
+TOLERANCE = 1e-6
+
+_SAME_NUMBER = 1e-12  # of the largest parameter: rounding of a change of frames
+
+
+@dataclass(frozen=True, eq=False)
+class VisibleSplit:
+    """A parameter difference Δπ as what torque sees of it and what it does not.
+
+    visible : held by base parameters alone;  invisible : in the null space; both shape (10 n,),
+        and their sum is Δπ to rounding
+    base : the difference of the base parameters, shape (rank,)
+    """
+
+    visible: Array
+    invisible: Array
+    base: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Equivalence:
+    """How arm b's dynamics differ from arm a's, seen and unseen.
+
+    split : Δπ = π_a − π_b, in a's link frames, as visible and invisible part
+    visible : largest torque that the visible part makes with a's geometry, per joint (n,) [N m]
+    other : largest torque difference that is not Y Δπ: geometry and gravity, per joint (n,) [N m]
+    largest : largest torque of arm a [N m]
+    same_numbers : whether Δπ is rounding only
+    """
+
+    split: VisibleSplit
+    visible: Array
+    other: Array
+    largest: float
+    same_numbers: bool
+
+    @property
+    def dynamically_equivalent(self) -> bool:
+        """Whether neither part makes more torque than TOLERANCE of arm a's largest."""
+        return float(max(self.visible.max(), self.other.max())) <= TOLERANCE * self.largest
+
+    @property
+    def sentence(self) -> str:
+        """The verdict, for a report."""
+        if not self.dynamically_equivalent:
+            if float(self.visible.max()) <= TOLERANCE * self.largest:
+                return "The inertias are dynamically equivalent; geometry or gravity is not."
+            return f"Torque tells the inertias apart: by up to {self.visible.max():.3g} N m."
+        if self.same_numbers:
+            return "Same numbers, same dynamics."
+        return "Different numbers, same dynamics: they differ only in what no torque can see."
+
+
+def split(identifiability: Identifiability, dpi: ArrayLike) -> VisibleSplit:
+    """What torque sees of Δπ, shape (10 n,), and what it does not.
+
+    Δπ must be held in the frames that `identify` was asked for.
+    """
+    base = identifiability.base_parameters(dpi)
+    visible = np.zeros(identifiability.columns)
+    visible[list(identifiability.base)] = base
+    return VisibleSplit(visible, np.asarray(dpi, dtype=np.float64) - visible, base)
+
+
+def equivalence(
+    pair: Pair, states: States, identifiability: Identifiability | None = None
+) -> Equivalence:
+    """Judge a pair of arms by the torques that their difference makes at these states.
+
+    identifiability : `identify(pair.a)`, where it is known already
+    """
+    dpi = pair.parameter_difference()
+    parts = split(identifiability or identify(pair.a), dpi)
+    q, qd, qdd = states.q, states.qd, states.qdd
+    Y = torque_regressor(pair.a, q, qd, qdd)
+    tau_a, tau_b = rnea(pair.a, q, qd, qdd), rnea(pair.b, q, qd, qdd)
+    largest_parameter = float(np.abs(pair.a.parameters()).max())
+    return Equivalence(
+        parts,
+        np.abs(Y @ parts.visible).max(axis=0),
+        np.abs(tau_a - tau_b - Y @ dpi).max(axis=0),
+        float(np.abs(tau_a).max()),
+        bool(np.abs(dpi).max() <= _SAME_NUMBER * largest_parameter),
+    )

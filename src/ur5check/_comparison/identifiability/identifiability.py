@@ -1,0 +1,192 @@
+"""What torque cannot see: the base parameters of an arm.
+
+τ = Y(q, q̇, q̈) π, and Y over all states has fewer independent columns than the 10 n parameters.
+What changes π within the null space of Y changes no torque, at any state, ever; only the r base
+parameters
+
+    π_base = π[base] + β π[dependent],     τ = Y[base] π_base
+
+can be told from motion and torque (Mayeda, Yoshida & Osuka, IEEE T-RA 6(3), 1990; Gautier & Khalil,
+"Direct calculation of minimum set of inertial parameters of serial robots", IEEE T-RA 6(3), 1990,
+pp. 368–373).  The closed-form rules of these papers ask for a DH table; `base_parameters` gets the
+same sets from numbers, for any chain.
+
+Which parameters stand for their combination is a choice.  Ours is that of the textbooks: low links
+before high ones, and in a link the tensor, then the first moments, then the mass.  So the mass of a
+forearm is read as a part of the upper arm's inertia, and not the other way round.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..._dynamics.base_parameters import SAME_DIRECTION, decompose
+from ..._dynamics.regressor import torque_regressor
+from ..._robot.inertia import PARAMETERS, parameter_map
+from ..._robot.serial_arm import SerialArm
+from ..._robot.states import random_states
+from ..._robot.transforms import Array, frozen
+
+__all__ = [
+    "CERTAIN_GAP",
+    "WEAKEST",
+    "Identifiability",
+    "Label",
+    "identify",
+]
+
+Label = Literal["identifiable", "in combination", "invisible"]
+
+#: The rank is beyond doubt where singular values fall by more than this.  Exact geometry gives some
+#: 1e11, and rounded angles of 11 digits still 1e8.
+CERTAIN_GAP = 1e6
+
+#: A kept direction weaker than this part of the strongest is seen through a rounded angle (π/2 with
+#: four digits is 1e-4 off) rather than through the design.  The UR5's weakest is 0.08.
+WEAKEST = 1e-4
+
+# Places of `PARAMETERS` in the order in which we want them as base parameters.
+_WANTED = (4, 5, 6, 7, 8, 9, 1, 2, 3, 0)
+_KIND = (0, 1, 1, 1, 2, 2, 2, 2, 2, 2)  # mass, first moment, tensor: their units differ
+
+
+@dataclass(frozen=True, eq=False)
+class Identifiability:
+    """Which of an arm's 10 n parameters its torques can tell.
+
+    names : "m1", "mx1" … "Izz1", "m2" …, in the order of `SerialArm.parameters`
+    rank : number of base parameters
+    singular_values : of Y over seeded random states, columns scaled by kind, shape (10 n,)
+    gap : smallest kept over largest dropped of them
+    base, dependent : places of the parameters that stand for a combination, and of the others
+    beta : shape (rank, 10 n − rank), with π_base = π[base] + beta @ π[dependent]
+    null_space : shape (10 n, 10 n − rank); column k raises dependent parameter k by one and
+        changes the base parameters so that no torque notices
+    labels : what each parameter is, shape (10 n,)
+    """
+
+    names: tuple[str, ...]
+    rank: int
+    gap: float
+    singular_values: Array
+    base: tuple[int, ...]
+    dependent: tuple[int, ...]
+    beta: Array
+    null_space: Array
+    labels: tuple[Label, ...]
+
+    @property
+    def columns(self) -> int:
+        """Number of parameters, 10 n."""
+        return len(self.names)
+
+    @property
+    def weakest(self) -> float:
+        """The smallest kept singular value, as a part of the largest of all."""
+        return float(self.singular_values[self.rank - 1] / self.singular_values[0])
+
+    @property
+    def certain(self) -> bool:
+        """Whether the gap is huge, and nothing that was kept is all but dropped."""
+        return self.gap > CERTAIN_GAP and self.weakest > WEAKEST
+
+    @property
+    def doubt(self) -> str:
+        """Why the rank is not certain; empty where it is."""
+        if self.certain:
+            return ""
+        return (
+            f"rank {self.rank} of {self.columns} is not certain: the weakest direction kept is "
+            f"{self.weakest:.1e} of the strongest and {self.gap:.1e} times what is dropped "
+            f"(wanted: more than {WEAKEST:.0e} and {CERTAIN_GAP:.0e}); some axis or length is all "
+            "but special, by a rounded angle or a tiny offset"
+        )
+
+    def names_of(self, label: Label) -> tuple[str, ...]:
+        """The parameters with this label."""
+        pairs = zip(self.names, self.labels, strict=True)
+        return tuple(name for name, own in pairs if own == label)
+
+    def base_parameters(self, pi: ArrayLike) -> Array:
+        """π_base of parameters (or of a parameter difference) π, shape (10 n,); shape (rank,)."""
+        pi = frozen(pi, (self.columns,))
+        return np.asarray(pi[list(self.base)] + self.beta @ pi[list(self.dependent)])
+
+    def combinations(self) -> tuple[str, ...]:
+        """Each base parameter written out, as "Izz1 + Iyy2 + 0.1806·m3"; coefficients to 4 digits.
+
+        A coefficient below SAME_DIRECTION, in SI units, is a rounded digit and is left out.
+        """
+        return tuple(
+            self.names[place]
+            + "".join(
+                _term(coefficient, self.names[other])
+                for coefficient, other in zip(row, self.dependent, strict=True)
+                if abs(coefficient) > SAME_DIRECTION
+            )
+            for place, row in zip(self.base, self.beta, strict=True)
+        )
+
+
+def identify(
+    arm: SerialArm,
+    *,
+    seed: int = 0,
+    gravity: ArrayLike | None = None,
+    frame: Literal["link", "source"] = "link",
+) -> Identifiability:
+    """The base parameters of an arm.  Its inertias play no part, only geometry and gravity.
+
+    seed : of the random states at which Y is asked; the result does not depend on it
+    gravity : in the arm's base frame, shape (3,) [m/s²]; its own when None
+    frame : "link", parameters in the frames i, as `SerialArm.parameters` has them; "source", in
+        the frames in which the arm's own file writes them (for a URDF those at the joints)
+    """
+    states = random_states(arm.n, 40 + 40 * arm.n, seed)
+    Y = torque_regressor(arm, states.q, states.qd, states.qdd, gravity).reshape(-1, 10 * arm.n)
+    if frame == "source":
+        for block, link in zip(np.split(Y, arm.n, axis=1), arm.links, strict=True):
+            block[:] = block @ parameter_map(link.source_frame)
+    found = decompose(Y, _scale(Y), [10 * i + k for i in range(arm.n) for k in _WANTED])
+    null_space = np.zeros((10 * arm.n, len(found.dependent)))
+    null_space[list(found.dependent)] = np.eye(len(found.dependent))
+    null_space[list(found.base)] = -found.beta
+    return Identifiability(
+        tuple(f"{name}{i}" for i in range(1, arm.n + 1) for name in PARAMETERS),
+        found.rank,
+        found.gap,
+        found.singular_values,
+        found.base,
+        found.dependent,
+        found.beta,
+        null_space,
+        tuple(_label(*sizes) for sizes in zip(found.seen, found.unseen, strict=True)),
+    )
+
+
+def _scale(Y: Array) -> Array:
+    """For each column, the largest column of its kind over all links.
+
+    A column is not scaled by its own size: one that a rounded angle has lifted from zero to 1e-9
+    would look as large as any.
+    """
+    sizes = np.linalg.norm(Y, axis=0).reshape(-1, 10)
+    kinds = np.array(_KIND)
+    largest = np.array([sizes[:, kinds == kind].max() for kind in range(3)])
+    largest[largest == 0.0] = 1.0
+    return np.tile(largest[kinds], len(sizes))
+
+
+def _label(seen: float, unseen: float) -> Label:
+    if seen < SAME_DIRECTION:
+        return "invisible"
+    return "identifiable" if unseen < SAME_DIRECTION else "in combination"
+
+
+def _term(coefficient: float, name: str) -> str:
+    size = f"{float(f'{abs(coefficient):.10g}'):.4g}"  # rounding must not decide where 0.39225 goes
+    return f" {'+' if coefficient > 0 else '−'} {'' if size == '1' else f'{size}·'}{name}"

@@ -1,0 +1,155 @@
+"""How much of a torque difference comes from digits, and what is then left to explain.
+
+Two kinds of items, kept apart.  *Recomputed*: a number is put right (π/2 for 1.5707, 1/12 for
+0.0833333, 9.80665 for 9.806), the torque is asked again, and the step is exact.  Steps are made one
+after the other, angles first, then 1/12, then gravity, side a before side b, so that
+
+    Δτ = Σ recomputed items + remainder      at every state, to rounding.
+
+*Bounds*: what the last printed digit of all other numbers may be worth.  Nobody knows which way
+they were rounded, so they explain nothing; a remainder below them needs no explanation.  Numbers
+that stand in both files alike were rounded alike, cancel in Δτ, and are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..._dynamics.recursion import rnea
+from ..._dynamics.regressor import torque_regressor
+from ..._robot.serial_arm import SerialArm
+from ..._robot.states import States
+from ..._robot.transforms import Array
+from ..alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
+from ..arm_pair import Pair, Side
+from .exact_constants import STEPS, Arms
+from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
+
+__all__ = ["BudgetItem", "ErrorBudget", "budget"]
+
+_ROUNDING = 64 * float(np.finfo(np.float64).eps)  # as in `attribution`
+
+
+@dataclass(frozen=True, eq=False)
+class BudgetItem:
+    """What one kind of digits costs, over N states.
+
+    cause : a clause, as "π/2 written as 1.5707 (4 decimals)"
+    side : the arm that has it;  where : "P1, P4, P5"
+    rms, maximum : per joint, shape (n,) [N m]
+    exact : True for a recomputed difference; False for a bound on what nobody can recompute
+    """
+
+    cause: str
+    side: Side
+    where: str
+    rms: Array
+    maximum: Array
+    exact: bool
+
+
+@dataclass(frozen=True, eq=False)
+class ErrorBudget:
+    """A torque difference, what digits explain of it, and the rest; per joint, shape (n,) [N m].
+
+    items : recomputed ones first, in the order of the steps, then bounds
+    total : RMS of Δτ;  explained : RMS of the sum of all recomputed items
+    remainder, remainder_maximum : RMS and maximum of what is left to explain
+    bound : RMS of all bounds together, taken as independent
+    rounding : what rounding alone makes of a difference
+    """
+
+    items: tuple[BudgetItem, ...]
+    total: Array
+    explained: Array
+    remainder: Array
+    remainder_maximum: Array
+    bound: Array
+    rounding: float
+
+    @property
+    def digits_suffice(self) -> bool:
+        """Whether what is left is no more than the printed digits may be worth, in every joint."""
+        most = self.rounding + sum(item.maximum for item in self.items if not item.exact)
+        return bool((self.remainder_maximum <= most).all())
+
+
+def budget(pair: Pair, states: States) -> ErrorBudget:
+    """What digits cost in a pair of arms, at these states.
+
+    Joint signs and offsets stay those of the pair; its base transform turns gravity and arm
+    together and plays no part in torque.
+    """
+    arms: Arms = {"a": pair.a, "b": pair.given_b}
+    torque = {side: _torque(pair, side, arm, states) for side, arm in arms.items()}
+    largest = max(float(np.abs(tau).max()) for tau in torque.values())
+    total = left = torque["a"] - torque["b"]
+    items = []
+    for step in STEPS:
+        for found in list(step(arms)):
+            arms[found.side] = found.arm
+            torque[found.side] = _torque(pair, found.side, found.arm, states)
+            before, left = left, torque["a"] - torque["b"]
+            part = before - left
+            items.append(
+                BudgetItem(found.cause, found.side, found.where, _rms(part), _max(part), exact=True)
+            )
+    bounds = [*_bounds(pair, states, "a"), *_bounds(pair, states, "b")]
+    return ErrorBudget(
+        (*items, *bounds),
+        _rms(total),
+        _rms(total - left),
+        _rms(left),
+        _max(left),
+        np.sqrt(sum((item.rms**2 for item in bounds), np.zeros(pair.a.n))),
+        _ROUNDING * pair.a.n * largest,
+    )
+
+
+def _torque(pair: Pair, side: Side, arm: SerialArm, states: States) -> Array:
+    """Torques of a changed arm of one side, as it was given, at states of arm a's coordinates."""
+    if side == "b":
+        arm = arm_in_coordinates_of(pair.a, arm, pair.alignment)
+    return rnea(arm, states.q, states.qd, states.qdd)
+
+
+def _bounds(pair: Pair, states: States, side: Side) -> Iterator[BudgetItem]:
+    arms: Arms = {"a": pair.a, "b": pair.given_b}
+    printed = {each: printed_numbers(arm) for each, arm in arms.items()}
+    other: Side = "b" if side == "a" else "a"
+    numbers = printed[side].without(printed[other], _same_frames(pair))
+    moved = pair.a if side == "a" else pair.b
+    Y = torque_regressor(moved, states.q, states.qd, states.qdd)
+    inertial = torque_of_inertial_digits(arms[side], numbers, Y)
+    lengths = torque_of_lengths(arms[side], numbers, lambda arm: _torque(pair, side, arm, states))
+    for what, parts in (("masses, centres and tensors", inertial), ("lengths", lengths)):
+        if len(parts):
+            yield BudgetItem(
+                f"last printed digit of {what}",
+                side,
+                f"{len(parts)} number{'s' if len(parts) > 1 else ''}",
+                np.sqrt((parts**2).sum(axis=0).mean(axis=0) / 3.0),
+                np.abs(parts).sum(axis=0).max(axis=0),
+                exact=False,
+            )
+
+
+def _same_frames(pair: Pair) -> Mask:
+    """For each link, whether both sources write it in the same frame, shape (n,) of bool."""
+    between = [
+        la.source_frame.inverse() @ T @ lb.source_frame
+        for la, T, lb in zip(pair.a.links, pair.link_maps, pair.b.links, strict=True)
+    ]
+    same = [E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH for E in between]
+    return np.array(same, dtype=np.bool_)
+
+
+def _rms(part: Array) -> Array:
+    return np.asarray(np.sqrt((part**2).mean(axis=0)))
+
+
+def _max(part: Array) -> Array:
+    return np.asarray(np.abs(part).max(axis=0))

@@ -1,0 +1,82 @@
+"""Numbers that were meant to be exact, put right: π/2 for 1.5707, 1/12 for 0.0833333, gravity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..._robot.serial_arm import SerialArm
+from ..arm_pair import Side
+from .cylinder_constant import cut_twelfths, with_exact_twelfth
+from .decimals import Writing, written_as
+from .rounded_angles import rounded_angles, with_exact_angles
+
+__all__ = ["GRAVITY", "STEPS", "Arms", "Correction"]
+
+#: Standard gravity [m/s²] (3rd CGPM, 1901): 9.8, 9.81, 9.806 and 9.807 write it with fewer digits.
+GRAVITY = 9.80665
+
+Arms = dict[Side, SerialArm]
+
+
+@dataclass(frozen=True, eq=False)
+class Correction:
+    """One kind of cut-off number put right in one arm.
+
+    cause : a clause;  where : which transforms or links;  arm : the arm afterwards
+    """
+
+    cause: str
+    side: Side
+    where: str
+    arm: SerialArm
+
+
+def angles(arms: Arms) -> Iterator[Correction]:
+    """Rounded quarter turns, those of one writing together."""
+    for side, given in arms.items():
+        arm, found = given, rounded_angles(given)
+        kinds = {(angle.constant, angle.writing): None for angle in found}  # in order, once each
+        for constant, writing in kinds:
+            group = tuple(
+                each for each in found if (each.constant, each.writing) == (constant, writing)
+            )
+            arm = with_exact_angles(arm, group)
+            where = ", ".join(each.where for each in group)
+            yield Correction(_in_words(constant, writing), side, where, arm)
+
+
+def twelfths(arms: Arms) -> Iterator[Correction]:
+    """Cylinders computed with a cut-off 1/12."""
+    for side, given in arms.items():
+        arm, found = given, cut_twelfths(given)
+        for constant in {cut.constant: None for cut in found}:
+            group = tuple(cut for cut in found if cut.constant == constant)
+            arm = with_exact_twelfth(arm, group)
+            where = ", ".join(f"link {cut.link}" for cut in group)
+            yield Correction(f"1/12 written as {constant}", side, where, arm)
+
+
+def gravities(arms: Arms) -> Iterator[Correction]:
+    """Two different writings of GRAVITY.  Two equal ones make no difference and are left alone."""
+    sizes = {side: float(np.linalg.norm(arm.gravity)) for side, arm in arms.items()}
+    exact = {side for side, size in sizes.items() if abs(size - GRAVITY) <= 1e-12}
+    writings = {side: written_as(size, GRAVITY) for side, size in sizes.items()}
+    if abs(sizes["a"] - sizes["b"]) <= 1e-12:
+        return
+    if any(writing is None and side not in exact for side, writing in writings.items()):
+        return
+    for side, writing in writings.items():
+        if writing is not None:
+            better = arms[side].with_gravity(arms[side].gravity * (GRAVITY / sizes[side]))
+            yield Correction(_in_words(str(GRAVITY), writing), side, "gravity", better)
+
+
+#: The steps of an error budget, in order.
+STEPS: tuple[Callable[[Arms], Iterator[Correction]], ...] = (angles, twelfths, gravities)
+
+
+def _in_words(constant: str, writing: Writing) -> str:
+    return f"{constant} written as {writing.text} ({writing.decimals} decimals)"

@@ -1,0 +1,100 @@
+"""Quarter turns that were written as decimals: π/2 as 1.5707, or as 1.570796327."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import pi
+
+import numpy as np
+
+from ..._robot.serial_arm import SerialArm
+from ..._robot.transforms import Array, Transform
+from .decimals import Writing, written_as
+from .frame_change import arm_with_link, reach_is_written_at_far_end, with_far_end
+
+__all__ = ["NEARLY", "RoundedAngle", "rounded_angles", "with_exact_angles"]
+
+#: How far [rad] a rotation may lie from a quarter turn and still be one: 1.57 is 8e-4 off.
+NEARLY = 1e-3
+
+_DUST = 2e-15  # of a product of three rotations [rad]
+_CONSTANTS = (("π/2", pi / 2), ("π", pi), ("3π/2", 1.5 * pi), ("2π", 2 * pi))
+
+
+@dataclass(frozen=True, eq=False)
+class RoundedAngle:
+    """A rotation of an arm that is a quarter turn but for its digits.
+
+    place : 0 for the base B, i for P_i
+    constant : "π/2";  writing : how it was written
+    exact : the rotation that was meant, shape (3, 3)
+    """
+
+    place: int
+    constant: str
+    writing: Writing
+    exact: Array
+
+    @property
+    def where(self) -> str:
+        return "B" if self.place == 0 else f"P{self.place}"
+
+
+def rounded_angles(arm: SerialArm) -> tuple[RoundedAngle, ...]:
+    """Every rotation of B and P_i that some decimals of a multiple of π/2 turn from a quarter turn.
+
+    Being near a quarter turn is not enough: the angles of a calibrated arm are.  What is left over
+    must be what rounding or cutting off leaves, to the last digit, about each axis.  A rounded
+    quarter turn hidden in a product with another angle is not looked for.
+    """
+    transforms = [arm.base, *(link.far_end for link in arm.links)]
+    found = (_rounded(place, T.R) for place, T in enumerate(transforms))
+    return tuple(angle for angle in found if angle is not None)
+
+
+def with_exact_angles(arm: SerialArm, angles: tuple[RoundedAngle, ...]) -> SerialArm:
+    """The arm with these rotations as they were meant, every other written number kept."""
+    for angle in angles:
+        if angle.place == 0:
+            arm = replace(arm, base=Transform(angle.exact, arm.base.p))
+            continue
+        link = arm.links[angle.place - 1]
+        p = link.far_end.p
+        if reach_is_written_at_far_end(link):
+            p = angle.exact @ (link.far_end.R.T @ p)
+        arm = arm_with_link(arm, angle.place - 1, with_far_end(link, Transform(angle.exact, p)))
+    return arm
+
+
+def _rounded(place: int, R: Array) -> RoundedAngle | None:
+    exact = np.rint(R) + 0.0  # no −0
+    if np.abs(R - exact).max() > NEARLY or not np.array_equal(exact @ exact.T, np.eye(3)):
+        return None
+    turn = np.abs(_rotation_vector(exact.T @ R))
+    # Turns about several axes are known to second order only.
+    tolerance = _DUST if (turn > _DUST).sum() < 2 else max(_DUST, 2.0 * float(turn.max()) ** 2)
+    writings = [_written(float(angle), tolerance) for angle in turn if angle > tolerance]
+    if not writings or None in writings:
+        return None
+    coarsest = min((w for w in writings if w is not None), key=lambda found: found[1].decimals)
+    return RoundedAngle(place, *coarsest, exact)
+
+
+def _written(off: float, tolerance: float) -> tuple[str, Writing] | None:
+    """The constant whose writing is `off` [rad] away from it: the one with the fewest decimals."""
+    found = [
+        (name, writing)
+        for name, constant in _CONSTANTS
+        for sign in (1.0, -1.0)
+        if (writing := written_as(constant + sign * off, constant, least=2, tolerance=tolerance))
+    ]
+    return min(found, key=lambda each: each[1].decimals, default=None)
+
+
+def _rotation_vector(R: Array) -> Array:
+    """Axis times angle [rad] of a small rotation."""
+    v = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    sine = float(np.linalg.norm(v))
+    if sine == 0.0:
+        return v
+    return np.asarray(v * (np.arctan2(sine, 0.5 * (np.trace(R) - 1.0)) / sine))

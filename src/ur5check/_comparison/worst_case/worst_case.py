@@ -1,0 +1,188 @@
+"""Where two arms disagree most: the state within the limits that makes Δτ = τ_a − τ_b largest.
+
+Random states tell the size of a disagreement but not its end: the worst state lies on corners of
+the box of velocities and accelerations, where a random one never is.  So the best of many random
+states are only where the climb begins (`ascent`), and the answer is never below them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from ..._dynamics.equations import gravity_torque
+from ..._dynamics.recursion import rnea
+from ..._errors import UsageError
+from ..._robot.states import MAX_ACCELERATION, States
+from ..._robot.transforms import Array
+from ..arm_pair import Pair
+from .gradient_ascent import Ascent, Gain, Gap, joint_gain, squared_sum
+from .state_box import StateBox, effort_limits, state_box
+
+__all__ = ["WorstCase", "worst_cases"]
+
+#: Two torques, each rounded some 32 times a joint by ε of the largest.
+ROUNDING = 64 * float(np.finfo(np.float64).eps)
+
+
+@dataclass(frozen=True)
+class WorstCase:
+    """The largest disagreement that was found, and where.
+
+    what : "one joint" or "all joints together"
+    joint : number, from 1; None for all together
+    static : whether the arm stands still, so that gravity alone speaks
+    value, unit : |Δτ_j|, "N m" (or "N"); for all together √Σ (Δτ_j / effort_j)², "of the effort
+        limits", or √Σ Δτ_j² in "N m" where an effort limit is not known
+    effort_share : the value as a share of the effort limit; None where that is not known
+    state : q, qd and qdd, n numbers each
+    best_random : the value at the best of the random states
+    starts : climbs begun; 0 where nothing but rounding parts the two arms
+    evaluations : states at which the climbs asked for Δτ and its gradient
+    """
+
+    what: Literal["one joint", "all joints together"]
+    joint: int | None
+    static: bool
+    value: float
+    unit: str
+    effort_share: float | None
+    state: dict[str, list[float]]
+    best_random: float
+    starts: int
+    evaluations: int
+
+
+@dataclass(frozen=True, eq=False)
+class _Question:
+    """What is to be largest: √Σ (w_j Δτ_j)², with one weight 1 and the others 0 for one joint."""
+
+    joint: int | None  # from 0
+    weights: Array
+    unit: str
+    effort: float  # what the value is a share of; nan where that is not known
+
+    def values(self, delta: Array) -> Array:
+        """From Δτ of shape (N, n), shape (N,)."""
+        if self.joint is not None:
+            return np.abs(delta[:, self.joint])
+        return np.asarray(np.linalg.norm(self.weights * delta, axis=-1))
+
+    def gain(self, delta: Array) -> Gain:
+        """What to climb from a state with this Δτ, shape (n,): a joint's Δτ keeps its sign."""
+        if self.joint is None:
+            return squared_sum(self.weights)
+        return joint_gain(self.joint, 1.0 if delta[self.joint] >= 0.0 else -1.0, len(delta))
+
+
+def worst_cases(
+    pair: Pair,
+    *,
+    seed: int = 0,
+    acceleration: float = MAX_ACCELERATION,
+    starts: int = 12,
+    random_states: int = 100_000,
+) -> tuple[WorstCase, ...]:
+    """Where the arms of a pair disagree most: 2 n + 2 answers.
+
+    First in motion, joint by joint and then all joints together; then in the same order at rest,
+    where gravity alone speaks.  The states lie in `state_box(pair, acceleration)`.
+
+    pair : see `pair_up`
+    seed, random_states : the random states that the climbs begin from
+    acceleration : bound on |q̈| [rad/s²]
+    starts : climbs for each answer
+
+    Raises UsageError for a count below one, a negative seed, or a bound that is no positive number.
+    """
+    if starts < 1 or random_states < 1:
+        raise UsageError(f"starts={starts} and random_states={random_states}: give at least 1")
+    if seed < 0:
+        raise UsageError(f"the seed must not be negative, not {seed}")
+    if not (np.isfinite(acceleration) and acceleration > 0.0):
+        raise UsageError(f"acceleration must be a positive number [rad/s²], not {acceleration}")
+    box, gap = state_box(pair, acceleration), Gap(pair)
+    moving = box.draw(random_states, seed)
+    rest = np.zeros_like(moving.q)
+    cases = []
+    for states in (moving, States(moving.q, rest, rest)):
+        search = _Search(pair, box, gap, states, states is not moving)
+        cases += [search.answer(question, starts) for question in _questions(pair)]
+    return tuple(cases)
+
+
+def _questions(pair: Pair) -> list[_Question]:
+    efforts, n = effort_limits(pair), pair.a.n
+    units = ["N" if joint.kind == "prismatic" else "N m" for joint in pair.a.joints]
+    single = [_Question(j, np.eye(n)[j], units[j], float(efforts[j])) for j in range(n)]
+    if np.isnan(efforts).any():
+        unit = " and ".join(sorted(set(units), reverse=True))
+        return [*single, _Question(None, np.ones(n), unit, np.nan)]
+    return [*single, _Question(None, 1.0 / efforts, "of the effort limits", 1.0)]
+
+
+class _Search:
+    """The random states of a pair, moving or at rest, and the climbs that begin from them."""
+
+    def __init__(self, pair: Pair, box: StateBox, gap: Gap, states: States, static: bool) -> None:
+        self.pair, self.gap, self.states, self.static = pair, gap, states, static
+        self.ascent = Ascent(gap, *box.ends(static=static))
+        self.delta, self.rounding = _delta(pair, states, static)
+
+    def answer(self, question: _Question, starts: int) -> WorstCase:
+        sizes = question.values(self.delta)
+        before = self.gap.evaluations
+        # The best of each slice of them, not the best of all: those crowd round one top.
+        slices = min(starts, len(sizes))
+        chosen = [int(part + slices * sizes[part::slices].argmax()) for part in range(slices)]
+        best = max(chosen, key=lambda k: float(sizes[k]))
+        candidates = [self._x(best)]
+        if sizes[best] > self.rounding * float(np.linalg.norm(question.weights)):
+            candidates += self._tops(chosen, question)
+        # Our own recursion judges, and the best random state stands among the candidates.
+        found = States(*np.reshape(candidates, (-1, 3, self.pair.a.n)).swapaxes(0, 1))
+        values = question.values(_delta(self.pair, found, self.static)[0])
+        winner, j = int(values.argmax()), question.joint
+        value = float(values[winner])
+        return WorstCase(
+            "all joints together" if j is None else "one joint",
+            None if j is None else j + 1,
+            self.static,
+            value,
+            question.unit,
+            None if np.isnan(question.effort) else value / question.effort,
+            found[winner],
+            float(values[0]),
+            len(candidates) - 1,
+            self.gap.evaluations - before,
+        )
+
+    def _tops(self, chosen: list[int], question: _Question) -> list[Array]:
+        """Where the climbs from these states end; the highest climbed to the last digit."""
+        gains = [question.gain(self.delta[k]) for k in chosen]
+        tops = [
+            self.ascent.climb(self.ascent.better_corner(self._x(k), gain), gain)
+            for k, gain in zip(chosen, gains, strict=True)
+        ]
+        first = max(range(len(tops)), key=lambda i: tops[i][0])
+        tops[first] = self.ascent.climb(tops[first][1], gains[first], digits=14)
+        return [x for _, x in tops]
+
+    def _x(self, k: int) -> Array:
+        """Random state number k as x = (q, q̇, q̈)."""
+        return np.concatenate([self.states.q[k], self.states.qd[k], self.states.qdd[k]])
+
+
+def _delta(pair: Pair, states: States, static: bool) -> tuple[Array, float]:
+    """Δτ, shape (N, n), by the hand-written recursion, and what of it may be rounding [N m].
+
+    static : whether nothing moves in these states, which spares the terms of motion
+    """
+    tau_a, tau_b = (
+        gravity_torque(arm, states.q) if static else rnea(arm, states.q, states.qd, states.qdd)
+        for arm in (pair.a, pair.b)
+    )
+    rounding = ROUNDING * pair.a.n * float(max(np.abs(tau_a).max(), np.abs(tau_b).max()))
+    return np.asarray(tau_a - tau_b), rounding

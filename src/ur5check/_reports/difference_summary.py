@@ -1,0 +1,158 @@
+"""A difference told in a few sentences, the verdict first: what a tired engineer reads."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
+from .._comparison.attribution import Owner
+from .._comparison.difference import Difference
+from .._robot.transforms import Transform
+
+__all__ = ["base_in_words", "listed", "owner_in_words", "owners_in_words", "tell"]
+
+_WORTH_A_WORD = 0.02  # an owner of less than 2 % of the mean square difference is left to the table
+_STANDS_OUT = 3.0  # principal moments further apart than this are named
+
+
+def tell(difference: Difference) -> tuple[str, ...]:
+    """Three to six sentences: verdict, geometry, gravity, owners, what stands out, what is left."""
+    sentences = [_verdict(difference), _geometry(difference)]
+    if not difference.agrees:
+        sentences += [_gravity(difference), owners_in_words(difference), _outliers(difference)]
+    sentences.append(_account(difference))
+    return tuple(sentence for sentence in sentences if sentence)
+
+
+def base_in_words(T: Transform) -> str:
+    """A base transform as "turned by 180° about z and shifted by (0, 0, 100) mm"."""
+    parts = []
+    if T.angle() > SAME_ANGLE:
+        parts.append(f"turned by {np.degrees(T.angle()):.4g}° about {_axis_in_words(T)}")
+    if np.abs(T.p).max() > SAME_LENGTH:
+        parts.append(f"shifted by ({', '.join(f'{1e3 * x:.4g}' for x in T.p + 0.0)}) mm")
+    return " and ".join(parts) or "the same"
+
+
+def owner_in_words(owner: Owner) -> str:
+    """An owner as "link 2, centre of mass"."""
+    return owner.kind if owner.link is None else f"link {owner.link}, {owner.kind}"
+
+
+def _verdict(d: Difference) -> str:
+    a, b = d.pair.a.name, d.pair.b.name
+    worst = int(d.torques.maximum.argmax())
+    size = f"{d.torques.maximum[worst]:.3g} N m"
+    joint = f"joint {worst + 1}, {d.pair.a.joints[worst].name}"
+    if d.agrees:
+        return f"{a} and {b} have the same dynamics: no torque differs by more than {size}."
+    effort = d.torques.effort[worst]
+    share = "" if np.isnan(effort) else f", {d.torques.share_of_effort()[worst]:.0%} of its limit"
+    return f"{a} and {b} ask for different torques: up to {size} apart ({joint}{share})."
+
+
+def _geometry(d: Difference) -> str:
+    alignment = d.pair.alignment
+    if not alignment.exact:
+        return f"Different geometry: {_unequal_reach(d)}."
+    joints = []
+    for joint, sign, offset in zip(
+        d.pair.a.joints, alignment.signs, alignment.offsets, strict=True
+    ):
+        if sign < 0:
+            joints.append(f"{joint.name} reversed")
+        if offset:
+            unit, value = ("°", np.degrees(offset)) if joint.kind == "revolute" else (" m", offset)
+            joints.append(f"{joint.name} shifted by {value:+.4g}{unit}")
+    angles = ", ".join(joints) or "joint angles as they stand"
+    return (
+        f"Same axes in space: {d.pair.b.name}'s base is {base_in_words(alignment.T_ab)}, {angles}; "
+        f"tools agree to {d.tool.position:.1g} m."
+    )
+
+
+def _unequal_reach(d: Difference) -> str:
+    opposite, other = [], []
+    for link in d.parameters:
+        gap = np.abs(link.reach_a - link.reach_b).max()
+        if gap <= SAME_LENGTH:
+            continue
+        # A sign is lost where the vectors are each other's opposite, to the digits.
+        if np.abs(link.reach_a + link.reach_b).max() <= max(SAME_LENGTH, 1e-3 * gap):
+            opposite.append(f"{link.link} ({np.linalg.norm(link.reach_a):.4g} m)")
+        else:
+            other.append(f"{link.link} (by {1e3 * gap:.3g} mm)")
+    parts = []
+    if opposite:
+        parts.append(
+            f"link{'s' if len(opposite) > 1 else ''} {listed(opposite)} "
+            f"reach{'' if len(opposite) > 1 else 'es'} the opposite way, as if a sign were lost"
+        )
+    if other:
+        parts.append(f"the reach of link{'s' if len(other) > 1 else ''} {listed(other)} differs")
+    tilt = float(d.pair.alignment.axis_angle.max())
+    if tilt > SAME_ANGLE:
+        parts.append(f"axes tilt by up to {tilt:.2g} rad")
+    return "; ".join(parts) or "the axes cannot be made to coincide"
+
+
+def _gravity(d: Difference) -> str:
+    g_a, g_b = d.pair.a.gravity, d.pair.b.gravity
+    if np.abs(g_a - g_b).max() <= 1e-9 * np.linalg.norm(g_a):
+        return ""
+    if np.linalg.norm(np.cross(g_a, g_b)) < 1e-9 * np.linalg.norm(g_a) * np.linalg.norm(g_b):
+        sizes = f"{np.linalg.norm(g_a):.6g} against {np.linalg.norm(g_b):.6g} m/s²"
+        return f"Different gravity: {sizes}."
+    return f"Different gravity: {g_a.tolist()} against {g_b.tolist()} m/s²."
+
+
+def owners_in_words(d: Difference) -> str:
+    """Who owns most of the difference."""
+    share = d.attribution.share()
+    order = np.argsort(-share)
+    named = [
+        f"{owner_in_words(d.attribution.owners[k])} {share[k]:.0%}"
+        for k in order[:4]
+        if share[k] > _WORTH_A_WORD
+    ]
+    return f"Whose it is: {'; '.join(named)} of the mean square difference."
+
+
+def _outliers(d: Difference) -> str:
+    """Numbers that differ by more than any two careful people would."""
+    found = []
+    for link in d.parameters:
+        ratio = link.moment_ratio()
+        if ratio > _STANDS_OUT:
+            found.append(f"principal moments of link {link.link} are {ratio:.3g} times apart")
+        masses = sorted([link.a.mass, link.b.mass])
+        if masses[0] <= 0.0 or masses[1] / masses[0] > _STANDS_OUT:
+            found.append(
+                f"link {link.link} weighs {link.a.mass:.4g} kg against {link.b.mass:.4g} kg"
+            )
+    return f"What stands out: {'; '.join(found)}." if found else ""
+
+
+def _account(d: Difference) -> str:
+    left = float(np.abs(d.attribution.remainder).max())
+    return f"Every newton metre has an owner: {left:.1g} N m are left over."
+
+
+def _axis_in_words(T: Transform) -> str:
+    """The rotation axis of T, by name where it has one."""
+    # R + Rᵀ − (tr R − 1) 1 = 2 (1 − cos) u uᵀ: fine up to half a turn, where R − Rᵀ vanishes.
+    outer = T.R + T.R.T - (np.trace(T.R) - 1.0) * np.eye(3)
+    u = outer[:, int(np.abs(np.diag(outer)).argmax())]
+    u = u / np.linalg.norm(u)
+    turn = np.array([T.R[2, 1] - T.R[1, 2], T.R[0, 2] - T.R[2, 0], T.R[1, 0] - T.R[0, 1]])
+    if u @ turn < 0.0 or (abs(u @ turn) < 1e-12 and u[np.abs(u).argmax()] < 0.0):
+        u = -u
+    for k, name in enumerate("xyz"):
+        if abs(abs(u[k]) - 1.0) < SAME_ANGLE:
+            return name if u[k] > 0 else f"−{name}"
+    return f"({', '.join(f'{x:.3g}' for x in u)})"
+
+
+def listed(items: list[str]) -> str:
+    """Items as "one, two and three"."""
+    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"

@@ -1,1 +1,0 @@
-"""Everything that can be said of a difference, put together and told."""
