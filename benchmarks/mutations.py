@@ -1,8 +1,8 @@
 """Known mistakes, planted in an arm the way people make them.
 
 Written from the names of the mistakes alone: nothing here looks at how
-`ur5check._comparison.diagnosis` undoes them.  The numbers are altered where an author alters them, in the frames of the file: at the link's
-joint for a URDF, at its far end for a DH table.
+`ur5check._comparison.diagnosis` undoes them.  The numbers are altered where an author alters them,
+in the frames of the file: at the link's joint for a URDF, at its far end for a DH table.
 
 `plantings` gives every way in which a mistake can be made in one link.  Two mistakes may well come
 to the same numbers; `same_inertias` and `same_motion` say so without asking the diagnosis.

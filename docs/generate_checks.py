@@ -9,9 +9,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from ur5check.checks.check import Check, Tolerance
-from ur5check.checks.laws import LAWS
-from ur5check.checks.numbers import BODIES, PAIRS
+from ur5check._validation.law import Check, Tolerance
+from ur5check._validation.laws import LAWS
+from ur5check._validation.pair_laws import BODIES, PAIRS
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "checks.md"

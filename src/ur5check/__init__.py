@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from ._engines.audit.engine_comparison import compare_engines
     from ._io.loading import load
     from ._robot.serial_arm import SerialArm
-    from .checks.validation import validate
+    from ._validation.validation import validate
     from .sweeping.sweep import sweep
 
 _HOMES = {
@@ -52,7 +52,7 @@ _HOMES = {
     "rnea": "._dynamics.recursion",
     "sweep": ".sweeping.sweep",
     "torque_regressor": "._dynamics.regressor",
-    "validate": ".checks.validation",
+    "validate": "._validation.validation",
 }
 
 __all__ = [

@@ -7,7 +7,7 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check._reports.difference_summary import base_in_words, tell
+from ur5check._comparison.difference_summary import base_in_words, tell
 from ur5check._robot import Transform
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import runpy
 
 from repository import REPOSITORY
-from ur5check.checks.laws import LAWS
-from ur5check.checks.numbers import BODIES, PAIRS
+from ur5check._validation.laws import LAWS
+from ur5check._validation.pair_laws import BODIES, PAIRS
 
 DOCS = REPOSITORY / "docs"
 

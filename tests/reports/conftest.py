@@ -9,7 +9,7 @@ from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._robot.states import random_states
-from ur5check.checks.validation import Validation, validate_arm
+from ur5check._validation.validation import Validation, validate_arm
 
 SAMPLES = 200
 

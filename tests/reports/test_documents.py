@@ -8,7 +8,7 @@ import ur5check
 from ur5check._comparison.difference import Difference, compare
 from ur5check._robot import Transform
 from ur5check._robot.states import random_states
-from ur5check.checks.validation import Validation
+from ur5check._validation.validation import Validation
 from ur5check.reports.arm_document import arm_document
 from ur5check.reports.difference_document import difference_document
 from ur5check.reports.terminal import render_text

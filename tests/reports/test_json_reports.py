@@ -16,7 +16,7 @@ from repository import REPOSITORY
 from ur5check._comparison.attribution_detail import by_parameter
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
-from ur5check.checks.validation import Validation
+from ur5check._validation.validation import Validation
 from ur5check.reports.json_report import arm_json, difference_json, validation_json
 from ur5check.reports.json_values import json_text
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from ur5check._comparison.explanation import Explanation
-from ur5check.checks.validation import Validation
+from ur5check._validation.validation import Validation
 from ur5check.reports.difference_document import difference_document
 from ur5check.reports.document import Column, Document, Row, Section, Table
 from ur5check.reports.markdown import render_markdown

@@ -10,7 +10,7 @@ from rich.cells import cell_len
 
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
-from ur5check.checks.validation import Validation
+from ur5check._validation.validation import Validation
 from ur5check.reports.difference_document import difference_document
 from ur5check.reports.document import Column, Document, Row, Section, Table
 from ur5check.reports.provenance import Provenance

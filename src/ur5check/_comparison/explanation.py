@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from .._robot.states import MAX_ACCELERATION, States
-from ..plausibility.plausibility import Plausibility, plausibility
+from .._rules.plausibility import Plausibility, plausibility
 from .attribution_detail import TermAttribution, by_term
 from .diagnosis.diagnosis import Diagnosis, diagnose
 from .difference import Difference

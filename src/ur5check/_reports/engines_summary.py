@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from .._comparison.difference_summary import listed
 from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.import_difference import ImportDifference, Kind
 from .._engines.registry import REGISTRY
-from .difference_summary import listed
 
 __all__ = ["deed", "tell"]
 

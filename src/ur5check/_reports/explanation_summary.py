@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._comparison import difference_summary as difference_story
 from .._comparison.diagnosis.diagnosis import Diagnosis, Finding
 from .._comparison.explanation import Explanation
-from . import difference_summary as difference_story
 
 __all__ = ["tell"]
 

@@ -46,7 +46,7 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=args.quiet)
     check_output(args.output, options.files(arms))
 
-    from ..checks.validation import validate
+    from .._validation.validation import validate
     from ..reports.json_report import validation_json
     from ..reports.validation_document import validation_document
 

@@ -55,8 +55,8 @@ def load_models() -> tuple[Model, ...]:
     """All five, what is printed first.
 
     The UR5's geometry is that of Table 1 with the controller's values.  `_comparison.arm_pair`
-    carries each model's inertias there: in space where the axes coincide, number by number where, as in the
-    listing, signs are lost and they do not.
+    carries each model's inertias there: in space where the axes coincide, number by number where,
+    as in the listing, signs are lost and they do not.
     """
     table_1 = load(REPAIRED)
     models = [_own(load(name), form, table_1) for name, form in _FORMS.items()]

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from .._comparison.alignment import SAME_ANGLE
-from .._reports.difference_summary import base_in_words
+from .._comparison.difference_summary import base_in_words
 from .._robot.serial_arm import Joint, SerialArm
 from .._robot.transforms import Transform
 from .document import Column, Document, Row, Section, Table

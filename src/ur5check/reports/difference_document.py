@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
+from .._comparison.difference_summary import tell as tell_difference
 from .._comparison.explanation import Explanation
-from .._reports.difference_summary import tell as tell_difference
 from .._reports.explanation_summary import tell as tell_explanation
 from .document import Document, Section, Verdict
 from .explained.bodies import bodies_section

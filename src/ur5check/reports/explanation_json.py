@@ -14,7 +14,7 @@ from .._comparison.explanation import Explanation
 from .._comparison.rounding.error_budget import ErrorBudget
 from .._comparison.worst_case.worst_case import WorstCase
 from .._reports.explanation_summary import removed, tell
-from ..plausibility.plausible_body import Plausibility
+from .._rules.plausible_body import Plausibility
 from .json_values import Report
 
 __all__ = ["attribution_value", "explanation_value"]

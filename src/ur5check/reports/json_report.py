@@ -6,12 +6,12 @@ import numpy as np
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
+from .._comparison.difference_summary import tell as tell_difference
 from .._comparison.explanation import Explanation
-from .._reports.difference_summary import tell as tell_difference
+from .._reports.validation_summary import tell as tell_validation
 from .._robot.serial_arm import SerialArm
-from ..checks.check import Outcome
-from ..checks.story import tell as tell_validation
-from ..checks.validation import Validation
+from .._validation.law import Outcome
+from .._validation.validation import Validation
 from .explanation_json import attribution_value, explanation_value
 from .json_head import json_head
 from .json_values import Report, alignment_value, inertia_value, joint_value, model_value, strict

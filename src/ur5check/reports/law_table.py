@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from ..checks.check import Outcome
-from ..checks.validation import Validation
+from .._validation.law import Outcome
+from .._validation.validation import Validation
 from .document import Column, Row, Table
 from .wording import residue
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from .._comparison.attribution import Attribution, Owner
 from .._comparison.difference import Difference
-from .._reports.difference_summary import base_in_words
+from .._comparison.difference_summary import base_in_words
 from .._robot.transforms import Array
 from .document import Column, Row, Table
 from .wording import figures, joined, link_label, percent, posture, residue

@@ -5,9 +5,9 @@ is the algorithm right, could the bodies exist, are the numbers of two models ex
 
 from __future__ import annotations
 
-from ..checks.check import Outcome
-from ..checks.story import tell
-from ..checks.validation import ModelValidation, PairValidation, Validation
+from .._reports.validation_summary import tell
+from .._validation.law import Outcome
+from .._validation.validation import ModelValidation, PairValidation, Validation
 from .document import Column, Document, Row, Section, Table, Verdict
 from .law_table import law_table
 from .pair_parts import alignment_lines, owner_table, torque_table

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._dynamics.recursion import rnea
-from ..._reports.mistake_sentences import finding_in_words, remark, whole_arm_in_words
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
 from ..arm_pair import Pair, Side
@@ -15,6 +14,7 @@ from .arm_mistakes import WholeArm, whole_arm
 from .link_numbers import body_of, with_body
 from .mistake import changed
 from .mistake_search import Suspicion, Verdict
+from .mistake_sentences import finding_in_words, remark, whole_arm_in_words
 from .pair_readings import Explained, Kind, Reading, best_reading
 
 __all__ = ["Diagnosis", "Finding", "diagnose"]

@@ -103,9 +103,9 @@ def as_written(
 def trace_difference(a: SerialArm, b: SerialArm) -> Program:
     """τ_a − τ_b at the same q, q̇, q̈ as one program.
 
-    The arms must be held in the same joint coordinates, as `_comparison.arm_pair` makes them.
-    What both need is worked out once.  Arms that differ in nothing but their inertias need no two torques at
-    all: torque is linear in π, so that the difference is the torque of π_a − π_b.
+    The arms must be held in the same joint coordinates, as `_comparison.arm_pair` makes them. What
+    both need is worked out once.  Arms that differ in nothing but their inertias need no two
+    torques at all: torque is linear in π, so that the difference is the torque of π_a − π_b.
 
     Raises UsageError for arms of different length.
     """

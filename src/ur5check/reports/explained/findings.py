@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..._comparison.diagnosis.diagnosis import Diagnosis, Finding
+from ..._comparison.difference_summary import listed
 from ..._comparison.explanation import Explanation
-from ..._reports.difference_summary import listed
 from ..._reports.explanation_summary import removed
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures, residue

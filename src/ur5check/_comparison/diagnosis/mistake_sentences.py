@@ -6,14 +6,14 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from .._comparison.arm_pair import Side
-from .._comparison.diagnosis.arm_mistakes import WholeArm
-from .._comparison.diagnosis.cylinder_fit import fit_cylinder
-from .._comparison.diagnosis.link_numbers import Body
-from .._comparison.diagnosis.mistake import Quantity
-from .._comparison.diagnosis.mistake_search import Suspicion
-from .._comparison.diagnosis.pair_readings import Explained
-from .difference_summary import base_in_words, listed
+from ..arm_pair import Side
+from ..difference_summary import base_in_words, listed
+from .arm_mistakes import WholeArm
+from .cylinder_fit import fit_cylinder
+from .link_numbers import Body
+from .mistake import Quantity
+from .mistake_search import Suspicion
+from .pair_readings import Explained
 
 __all__ = ["finding_in_words", "remark", "whole_arm_in_words"]
 

@@ -10,8 +10,8 @@ import numpy as np
 
 from .._comparison.motion_difference import tool_errors
 from .._robot.transforms import Array
-from .check import Check, Measurement, Tolerance
-from .subject import STEP, Subject
+from .law import Check, Measurement, Tolerance
+from .law_subject import STEP, Subject
 
 __all__ = ["LAWS"]
 

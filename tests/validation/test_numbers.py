@@ -13,9 +13,9 @@ from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._engines.recursion_engine import OwnEngine
 from ur5check._robot import Inertia
 from ur5check._robot.states import random_states
-from ur5check.checks.check import run
-from ur5check.checks.numbers import BODIES, PAIRS, PairSubject
-from ur5check.checks.subject import Subject
+from ur5check._validation.law import run
+from ur5check._validation.law_subject import Subject
+from ur5check._validation.pair_laws import BODIES, PAIRS, PairSubject
 
 STATES = random_states(6, 200, seed=5)
 (PHYSICAL,) = BODIES

@@ -10,8 +10,8 @@ from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from .._comparison.difference import Difference
 from .._engines.engine import Engine
 from .._robot.transforms import Array
-from .check import Check, Measurement, Tolerance
-from .subject import Subject
+from .law import Check, Measurement, Tolerance
+from .law_subject import Subject
 
 __all__ = ["BODIES", "PAIRS", "PairSubject"]
 

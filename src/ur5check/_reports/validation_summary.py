@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from .._reports import difference_summary as difference_story
-from .check import Outcome
-from .validation import Validation
+from .._comparison import difference_summary as difference_story
+from .._validation.law import Outcome
+from .._validation.validation import Validation
 
 __all__ = ["tell"]
 

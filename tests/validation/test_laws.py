@@ -14,9 +14,9 @@ from ur5check import strategies
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._engines.recursion_engine import OwnEngine
 from ur5check._robot.states import random_states
-from ur5check.checks.check import run
-from ur5check.checks.laws import LAWS
-from ur5check.checks.subject import Subject
+from ur5check._validation.law import run
+from ur5check._validation.law_subject import Subject
+from ur5check._validation.laws import LAWS
 
 by_id = pytest.mark.parametrize("law", LAWS, ids=lambda law: law.id)
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
-from .._comparison.attribution import Owner
-from .._comparison.difference import Difference
 from .._robot.transforms import Transform
+from .alignment import SAME_ANGLE, SAME_LENGTH
+from .attribution import Owner
+from .difference import Difference
 
 __all__ = ["base_in_words", "listed", "owner_in_words", "owners_in_words", "tell"]
 

@@ -13,10 +13,10 @@ from .._engines.recursion_engine import OwnEngine
 from .._io.loading import ArmSource, load
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
-from .check import Outcome, run
+from .law import Outcome, run
+from .law_subject import Subject
 from .laws import LAWS
-from .numbers import BODIES, PAIRS, PairSubject
-from .subject import Subject
+from .pair_laws import BODIES, PAIRS, PairSubject
 
 __all__ = ["ModelValidation", "PairValidation", "Validation", "validate", "validate_arm"]
 

@@ -11,9 +11,9 @@ import ur5check
 from examples import random_arm
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
+from ur5check._reports import validation_summary as story
 from ur5check._robot.states import random_states
-from ur5check.checks import story
-from ur5check.checks.validation import validate_arm
+from ur5check._validation.validation import validate_arm
 
 
 def test_the_paper_against_its_appendix_by_default():
