@@ -9,10 +9,10 @@ from moving_arms import APPENDIX, CASE_9
 from ur5check._engines.known_issues import remedied
 from ur5check._engines.registry import make_engine
 from ur5check._errors import EngineError, UsageError
-from ur5check.simulation.acceleration import acceleration_of
-from ur5check.simulation.admission import STEPPERS, admit, turn_away_strangers
-from ur5check.simulation.flight import integrated, stepped
-from ur5check.simulation.torques import Held
+from ur5check._simulation.acceleration import acceleration_of
+from ur5check._simulation.free_motion import integrated, stepped
+from ur5check._simulation.require_same_model import STEPPERS, admit, turn_away_strangers
+from ur5check._simulation.torque_sources import Held
 
 engines = pytest.mark.parametrize("key", STEPPERS)
 

@@ -7,7 +7,7 @@ import pytest
 from moving_arms import APPENDIX, CASE_9
 
 import ur5check
-from ur5check.simulation.convergence import Convergence, convergence, extrapolated
+from ur5check._simulation.convergence import Convergence, convergence, extrapolated
 
 #: Nine tenths of what the arm needs: it sinks by 70° within a second and does not whirl.
 TORQUE = 0.9 * ur5check.gravity_torque(APPENDIX, CASE_9)

@@ -10,12 +10,12 @@ import ur5check
 from examples import random_arm
 from ur5check._errors import StateError, UsageError
 from ur5check._robot import Inertia
-from ur5check.simulation.acceleration import acceleration_of
-from ur5check.simulation.flight import integrated
-from ur5check.simulation.integration import REFERENCE, WORKING, integrate
-from ur5check.simulation.motion import energy_balance
-from ur5check.simulation.torques import Held, Recomputed
-from ur5check.simulation.travel import travel_of
+from ur5check._simulation.acceleration import acceleration_of
+from ur5check._simulation.free_motion import integrated
+from ur5check._simulation.integration import REFERENCE, WORKING, integrate
+from ur5check._simulation.joint_range import travel_of
+from ur5check._simulation.motion_result import energy_balance
+from ur5check._simulation.torque_sources import Held, Recomputed
 
 REST = np.zeros(6)
 

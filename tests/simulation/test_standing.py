@@ -9,12 +9,12 @@ from scipy.linalg import eigh
 
 import ur5check
 from ur5check._errors import StateError, UsageError
-from ur5check.simulation.equilibrium import gravity_stiffness, growth_rate
-from ur5check.simulation.flight import integrated
-from ur5check.simulation.integration import REFERENCE
-from ur5check.simulation.standing import ENGINES, STILL, stand
-from ur5check.simulation.story import reason, tell, verdict
-from ur5check.simulation.torques import Held
+from ur5check._reports.simulation_summary import reason, tell, verdict
+from ur5check._simulation.equilibrium import gravity_stiffness, growth_rate
+from ur5check._simulation.free_motion import integrated
+from ur5check._simulation.integration import REFERENCE
+from ur5check._simulation.static_hold import ENGINES, STILL, stand
+from ur5check._simulation.torque_sources import Held
 
 engines = pytest.mark.parametrize("engine", ENGINES)
 

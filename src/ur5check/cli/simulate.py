@@ -82,9 +82,9 @@ def run(args: argparse.Namespace) -> int:
     plant, model = arms = options.load(quiet=args.quiet)
     _check_outputs(args, options.files(arms))
 
+    from .._simulation.static_hold import stand
     from ..reports.simulation_document import simulation_document
     from ..reports.simulation_json import simulation_json
-    from ..simulation.standing import stand
 
     def say(line: str) -> None:
         progress(args.quiet, line)

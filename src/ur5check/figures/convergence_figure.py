@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..simulation.convergence import Convergence, Refinement
+from .._simulation.convergence import Convergence, Refinement
 from .style import BLUE, GREEN, GREY, INK, ORANGE, bare, new_figure, titled
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import numpy as np
 
 from .._dynamics.kinematics import link_frames
 from .._robot.transforms import Array
-from ..simulation.standing import STILL, Standing
+from .._simulation.static_hold import STILL, Standing
 from .style import BLUE, GREY, INK, ORANGE, bare, new_figure, titled
 
 if TYPE_CHECKING:

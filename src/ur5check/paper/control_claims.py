@@ -1,8 +1,8 @@
 """What the paper says of control (eqs 16–28): put to poles, and to a simulated loop.
 
 The paper prints no gains.  Every joint's poles are put at −8, −10 and −12 / s here, as a controller
-might; the signs fail for any positive gains (`control.error_dynamics`).  Controller and plant are
-the same arm, by the same engine: what is seen is the law's own doing.
+might; the signs fail for any positive gains (`_simulation.control.error_dynamics`).  Controller and
+plant are the same arm, by the same engine: what is seen is the law's own doing.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._engines.engine import Engine
-from ..control.computed_torque import ComputedTorque
-from ..control.error_dynamics import poles
-from ..control.gains import Gains
-from ..control.law import FeedbackLaw
-from ..control.tracking import Tracking, track
-from ..control.trajectory import Quintic
+from .._simulation.control.computed_torque import ComputedTorque
+from .._simulation.control.error_dynamics import poles
+from .._simulation.control.feedback_law import FeedbackLaw
+from .._simulation.control.gains import Gains
+from .._simulation.control.tracking import Tracking, track
+from .._simulation.control.trajectory import Quintic
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .models import Form

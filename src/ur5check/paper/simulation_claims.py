@@ -13,7 +13,7 @@ import numpy as np
 from .._dynamics.kinematics import link_frames
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from ..simulation.standing import STILL, stand
+from .._simulation.static_hold import STILL, stand
 from .cases import case
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence

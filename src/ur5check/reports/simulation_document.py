@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..simulation.standing import Standing
-from ..simulation.story import reason, tell, verdict
+from .._reports.simulation_summary import reason, tell, verdict
+from .._simulation.static_hold import Standing
 from .document import Column, Document, Row, Section, Table, Verdict
 from .provenance import Provenance, inputs_of
 from .wording import percent, residue

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..simulation.standing import STILL, Standing
-from ..simulation.story import reason, tell, verdict
+from .._reports.simulation_summary import reason, tell, verdict
+from .._simulation.static_hold import STILL, Standing
 from .json_head import json_head
 from .json_values import Report, alignment_value, model_value, strict
 

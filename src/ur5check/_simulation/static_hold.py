@@ -19,13 +19,13 @@ from .._errors import UsageError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .._version import __version__
-from .admission import admit
 from .equilibrium import growth_rate
-from .flight import Say, integrated, silent, stepped
+from .free_motion import Say, integrated, silent, stepped
 from .integration import WORKING
-from .motion import EnergyBalance, Motion, energy_balance
-from .torques import Held, Recomputed, TorqueSource
-from .travel import travel_of
+from .joint_range import travel_of
+from .motion_result import EnergyBalance, Motion, energy_balance
+from .require_same_model import admit
+from .torque_sources import Held, Recomputed, TorqueSource
 
 __all__ = ["ENGINES", "STILL", "Mover", "Standing", "stand"]
 

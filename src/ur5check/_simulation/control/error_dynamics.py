@@ -20,9 +20,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .._robot.transforms import Array
+from ..._robot.transforms import Array
+from .feedback_law import FeedbackLaw
 from .gains import Gains
-from .law import FeedbackLaw
 
 __all__ = ["companion_matrix", "is_stable", "poles"]
 

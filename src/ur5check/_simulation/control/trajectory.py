@@ -8,8 +8,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._errors import UsageError
-from .._robot.transforms import Array, frozen
+from ..._errors import UsageError
+from ..._robot.transforms import Array, frozen
 
 __all__ = ["Quintic", "Reference", "Trajectory"]
 

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._engines.engine import Engine
-from .._errors import UsageError
-from .._robot.transforms import Array
-from ..simulation.integration import WORKING, Precision, integrate
+from ..._engines.engine import Engine
+from ..._errors import UsageError
+from ..._robot.transforms import Array
+from ..integration import WORKING, Precision, integrate
 from .computed_torque import ComputedTorque
 from .trajectory import Trajectory
 

@@ -15,9 +15,9 @@ from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .acceleration import acceleration_of
 from .integration import WORKING, Precision, integrate
-from .motion import Motion
-from .torques import TorqueSource
-from .travel import Travel
+from .joint_range import Travel
+from .motion_result import Motion
+from .torque_sources import TorqueSource
 
 __all__ = ["Say", "integrated", "silent", "stepped"]
 

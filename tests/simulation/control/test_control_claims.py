@@ -7,7 +7,7 @@ import pytest
 
 import ur5check
 from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check.control.law import FeedbackLaw
+from ur5check._simulation.control.feedback_law import FeedbackLaw
 from ur5check.paper.claim import overall
 from ur5check.paper.control_claims import (
     eq_28_is_the_law,

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._engines.engine import Engine
-from .._errors import UsageError
-from .._robot.serial_arm import SerialArm
-from .._robot.transforms import Array
+from ..._engines.engine import Engine
+from ..._errors import UsageError
+from ..._robot.serial_arm import SerialArm
+from ..._robot.transforms import Array
+from .feedback_law import FeedbackLaw
 from .gains import Gains
-from .law import FeedbackLaw
 from .trajectory import Reference
 
 __all__ = ["ComputedTorque", "effort_limits"]

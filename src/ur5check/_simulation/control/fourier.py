@@ -15,10 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._errors import UsageError
-from .._robot.serial_arm import SerialArm
-from .._robot.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
-from .._robot.transforms import Array
+from ..._errors import UsageError
+from ..._robot.serial_arm import SerialArm
+from ..._robot.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
+from ..._robot.transforms import Array
 from .trajectory import Reference
 
 __all__ = ["FourierSeries", "excitation"]

@@ -8,9 +8,9 @@ import pytest
 import ur5check
 from ur5check._errors import StateError, UsageError
 from ur5check._robot.states import MAX_ACCELERATION
-from ur5check.control.fourier import FourierSeries, excitation
-from ur5check.control.sampled import read_trajectory
-from ur5check.control.trajectory import Quintic
+from ur5check._simulation.control.fourier import FourierSeries, excitation
+from ur5check._simulation.control.sampled_trajectory import read_trajectory
+from ur5check._simulation.control.trajectory import Quintic
 
 APPENDIX = ur5check.load("appendix")
 QUINTIC = Quintic(np.array([0.0, 1.0, -1.0]), np.array([1.0, -1.0, -1.0]), 2.0)

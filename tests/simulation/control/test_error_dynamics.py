@@ -7,9 +7,9 @@ import pytest
 from scipy.linalg import expm
 
 from ur5check._errors import UsageError
-from ur5check.control.error_dynamics import companion_matrix, is_stable, poles
-from ur5check.control.gains import Gains
-from ur5check.control.law import FeedbackLaw
+from ur5check._simulation.control.error_dynamics import companion_matrix, is_stable, poles
+from ur5check._simulation.control.feedback_law import FeedbackLaw
+from ur5check._simulation.control.gains import Gains
 
 #: Poles at −4, −5 and −6 of each of two joints.
 GAINS = Gains.diagonal([74.0, 74.0], [120.0, 120.0], [15.0, 15.0])

@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._errors import StateError
-from .._io.numeric_columns import NumberColumns, read_columns
-from .._robot.serial_arm import SerialArm
-from .._robot.transforms import Array
+from ..._errors import StateError
+from ..._io.numeric_columns import NumberColumns, read_columns
+from ..._robot.serial_arm import SerialArm
+from ..._robot.transforms import Array
 from .trajectory import Reference
 
 __all__ = ["Sampled", "read_trajectory"]

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._errors import UsageError
-from .._robot.transforms import Array, frozen
+from ..._errors import UsageError
+from ..._robot.transforms import Array, frozen
 
 __all__ = ["Gains"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .standing import STILL, Standing
+from .._simulation.static_hold import STILL, Standing
 
 __all__ = ["reason", "tell", "verdict"]
 

@@ -10,13 +10,13 @@ from ur5check._comparison.arm_pair import pair_up
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._engines.recursion_engine import OwnEngine
 from ur5check._errors import UsageError
-from ur5check.control.computed_torque import ComputedTorque, effort_limits
-from ur5check.control.error_dynamics import companion_matrix, poles
-from ur5check.control.gains import Gains
-from ur5check.control.law import FeedbackLaw
-from ur5check.control.tracking import LOST, track
-from ur5check.control.trajectory import Quintic
-from ur5check.simulation.integration import Precision
+from ur5check._simulation.control.computed_torque import ComputedTorque, effort_limits
+from ur5check._simulation.control.error_dynamics import companion_matrix, poles
+from ur5check._simulation.control.feedback_law import FeedbackLaw
+from ur5check._simulation.control.gains import Gains
+from ur5check._simulation.control.tracking import LOST, track
+from ur5check._simulation.control.trajectory import Quintic
+from ur5check._simulation.integration import Precision
 
 APPENDIX = ur5check.load("appendix")
 PLANT = PinocchioEngine(APPENDIX)

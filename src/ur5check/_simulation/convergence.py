@@ -20,10 +20,10 @@ from numpy.typing import ArrayLike
 
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from .admission import admit
-from .flight import Say, integrated, silent, stepped
+from .free_motion import Say, integrated, silent, stepped
 from .integration import REFERENCE
-from .torques import Held
+from .require_same_model import admit
+from .torque_sources import Held
 
 __all__ = ["HALVINGS", "OWN_HALVINGS", "Convergence", "Refinement", "convergence", "extrapolated"]
 
