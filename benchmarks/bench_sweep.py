@@ -16,10 +16,10 @@ from dataclasses import replace
 import numpy as np
 
 import ur5check
-from ur5check.sweeping.sample import BLOCK, RandomSample
-from ur5check.sweeping.sobol_sample import SobolSample
-from ur5check.sweeping.tally import tally_of
-from ur5check.sweeping.torques import torque_difference
+from ur5check._sweep.sobol_sample import SobolSample
+from ur5check._sweep.state_sample import BLOCK, RandomSample
+from ur5check._sweep.statistics import tally_of
+from ur5check._sweep.torque_difference import torque_difference
 
 _MANY = 10**9  # states that the sweep is thought to have
 

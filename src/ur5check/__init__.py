@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from ._engines.audit.engine_comparison import compare_engines
     from ._io.loading import load
     from ._robot.serial_arm import SerialArm
+    from ._sweep.sweep import sweep
     from ._validation.validation import validate
-    from .sweeping.sweep import sweep
 
 _HOMES = {
     "SerialArm": "._robot.serial_arm",
@@ -50,7 +50,7 @@ _HOMES = {
     "mass_matrix": "._dynamics.equations",
     "potential_energy": "._dynamics.equations",
     "rnea": "._dynamics.recursion",
-    "sweep": ".sweeping.sweep",
+    "sweep": "._sweep.sweep",
     "torque_regressor": "._dynamics.regressor",
     "validate": "._validation.validation",
 }

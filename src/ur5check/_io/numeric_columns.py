@@ -1,7 +1,7 @@
 """Columns of numbers, by name, from a CSV or a Parquet file: read whole, every number looked at.
 
 For tables that fit in memory, such as a trajectory.  Files of millions of states are read a block
-at a time elsewhere (`sweeping.logs`).
+at a time elsewhere (`_sweep.state_log`).
 """
 
 from __future__ import annotations

@@ -94,9 +94,9 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=args.quiet)
     _check_outputs(args, options.files(arms))
 
+    from .._sweep.sweep import sweep
     from ..reports.sweep_document import sweep_document
     from ..reports.sweep_json import sweep_json
-    from ..sweeping.sweep import sweep
 
     found = sweep(
         *arms,
@@ -141,7 +141,7 @@ def _count(text: str) -> int:
 
 def _command(args: argparse.Namespace, models: tuple[str, ...], count: int) -> str:
     """The command that makes this report again; what changes no digit is left out."""
-    from ..sweeping.logs import is_log
+    from .._sweep.state_log import is_log
 
     words = [command_line("sweep", args, models), "--sample", shlex.quote(args.sample)]
     if not is_log(args.sample):
@@ -169,8 +169,8 @@ def _check_outputs(args: argparse.Namespace, inputs: list[Path]) -> None:
     check_output(args.output, taken)
     check_output(args.checkpoint, taken, option="--checkpoint")
     if args.parquet is not None:
+        from .._sweep.parquet_log import import_parquet
         from ..reports.sweep_parquet import map_file
-        from ..sweeping.parquet_log import import_parquet
 
         import_parquet()
         check_output(args.parquet, taken, option="--parquet")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ..sweeping.magnitudes import RELATIVE_ERROR
-from ..sweeping.result import Sweep
-from ..sweeping.story import sample_in_words, tell
+from .._reports.sweep_summary import sample_in_words, tell
+from .._sweep.magnitude_histogram import RELATIVE_ERROR
+from .._sweep.sweep_result import Sweep
 from .document import Document, Section, Verdict
 from .provenance import Provenance, inputs_of
 from .sweep_tables import (

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from ..sweeping.magnitudes import RELATIVE_ERROR, bin_edges
-from ..sweeping.reach_map import HEIGHTS, RADII
-from ..sweeping.result import QUANTILES, Sweep
-from ..sweeping.sample import BLOCK
-from ..sweeping.story import tell
+from .._reports.sweep_summary import tell
+from .._sweep.magnitude_histogram import RELATIVE_ERROR, bin_edges
+from .._sweep.reach_map import HEIGHTS, RADII
+from .._sweep.state_sample import BLOCK
+from .._sweep.sweep_result import QUANTILES, Sweep
 from .json_head import json_head
 from .json_values import Report, alignment_value, model_value, strict
 

@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 
 from .._errors import UsageError
-from ..sweeping.magnitudes import bin_edges
-from ..sweeping.parquet_log import import_parquet
-from ..sweeping.reach_map import HEIGHTS
-from ..sweeping.result import Sweep
-from ..sweeping.whole_file import write_whole
+from .._files import write_whole
+from .._sweep.magnitude_histogram import bin_edges
+from .._sweep.parquet_log import import_parquet
+from .._sweep.reach_map import HEIGHTS
+from .._sweep.sweep_result import Sweep
 
 __all__ = ["map_file", "write_parquet"]
 

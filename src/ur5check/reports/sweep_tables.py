@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..sweeping.magnitudes import bin_edges
-from ..sweeping.reach_map import HEIGHTS, RADII
-from ..sweeping.result import QUANTILES, Sweep
+from .._sweep.magnitude_histogram import bin_edges
+from .._sweep.reach_map import HEIGHTS, RADII
+from .._sweep.sweep_result import QUANTILES, Sweep
 from .document import Column, Row, Table
 from .wording import MISSING, figures, percent, posture
 

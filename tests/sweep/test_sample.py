@@ -8,9 +8,11 @@ from scipy import stats
 from scipy.stats import qmc
 
 from ur5check._comparison.worst_case.state_box import StateBox
-from ur5check.sweeping import fused, philox, rows
-from ur5check.sweeping.sample import BLOCK, GridSample, RandomSample, blocks_of
-from ur5check.sweeping.sobol_sample import SobolSample
+from ur5check._sweep import compiled_loops as fused
+from ur5check._sweep import numpy_loops as rows
+from ur5check._sweep import philox
+from ur5check._sweep.sobol_sample import SobolSample
+from ur5check._sweep.state_sample import BLOCK, GridSample, RandomSample, blocks_of
 
 BOX = StateBox(
     np.array([-1.0, 0.5]), np.array([2.0, 0.75]), np.array([3.0, 1e-3]), np.array([10.0, 4.0])

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from .._errors import UsageError
-from .plan import Plan
-from .tally import Tally
-from .whole_file import write_whole
+from .._files import write_whole
+from .statistics import Tally
+from .sweep_plan import Plan
 
 __all__ = ["Checkpoint", "load", "save", "tally_value"]
 

@@ -13,11 +13,11 @@ from pyarrow import parquet
 
 from ur5check._errors import StateError, UsageError
 from ur5check._robot.states import States, random_states
-from ur5check.sweeping.checkpoint import tally_value
-from ur5check.sweeping.csv_log import open_csv
-from ur5check.sweeping.logs import log_sample
-from ur5check.sweeping.sample import BLOCK, blocks_of
-from ur5check.sweeping.sweep import sweep
+from ur5check._sweep.checkpoint import tally_value
+from ur5check._sweep.csv_log import open_csv
+from ur5check._sweep.state_log import log_sample
+from ur5check._sweep.state_sample import BLOCK, blocks_of
+from ur5check._sweep.sweep import sweep
 
 ROWS = BLOCK + 77
 NUMBERED = [f"{part}{i}" for part in ("q", "qd", "qdd") for i in range(1, 7)]
@@ -77,8 +77,8 @@ def test_blocks_begin_where_they_should_whatever_is_read_at_once(
     tmp_path, paper, monkeypatch, chunk
 ):
     """Small blocks and small reads: every way that a line can fall on an edge."""
-    monkeypatch.setattr("ur5check.sweeping.csv_log._CHUNK", chunk)
-    monkeypatch.setattr("ur5check.sweeping.csv_log.BLOCK", 3)
+    monkeypatch.setattr("ur5check._sweep.csv_log._CHUNK", chunk)
+    monkeypatch.setattr("ur5check._sweep.csv_log.BLOCK", 3)
     for rows in (1, 2, 3, 4, 6, 7):
         for end in ("", "\n"):
             file = tmp_path / "few.csv"

@@ -26,15 +26,15 @@ from .._io.loading import ArmSource, load
 from .._robot.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
 from .._robot.transforms import Array
 from .checkpoint import load as load_checkpoint
-from .crew import Crew
-from .crew import threads as threads_crew
-from .journal import Journal
-from .logs import is_log, log_sample
-from .plan import Plan, plan_of
-from .result import Sweep
-from .sample import GridSample, RandomSample, Sample
+from .executor import Crew
+from .executor import threads as threads_crew
+from .progress import Journal
 from .sobol_sample import SobolSample
-from .tally import Tally
+from .state_log import is_log, log_sample
+from .state_sample import GridSample, RandomSample, Sample
+from .statistics import Tally
+from .sweep_plan import Plan, plan_of
+from .sweep_result import Sweep
 
 __all__ = ["SampleKind", "run", "sweep"]
 
@@ -125,7 +125,7 @@ def run(
 def _crew(count: int, scheduler: str | None, batch: int | None) -> Crew:
     if scheduler is None:
         return threads_crew(count, batch)
-    from .cluster import cluster
+    from .dask_cluster import cluster
 
     return cluster(scheduler, batch)
 

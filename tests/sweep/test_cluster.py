@@ -11,10 +11,11 @@ import pytest
 from distributed import Client, LocalCluster
 
 from ur5check._errors import StateError, UsageError
-from ur5check.sweeping import cluster, journal
-from ur5check.sweeping.checkpoint import tally_value
-from ur5check.sweeping.sample import BLOCK
-from ur5check.sweeping.sweep import sweep
+from ur5check._sweep import dask_cluster as cluster
+from ur5check._sweep import progress as journal
+from ur5check._sweep.checkpoint import tally_value
+from ur5check._sweep.state_sample import BLOCK
+from ur5check._sweep.sweep import sweep
 
 STATES = 40 * BLOCK - 5
 

@@ -20,7 +20,7 @@ from .._robot.serial_arm import SerialArm
 from .._robot.states import States
 from .._robot.transforms import Array
 from .log_columns import state_columns, states_of
-from .sample import BLOCK
+from .state_sample import BLOCK
 
 __all__ = ["CsvLog", "open_csv"]
 

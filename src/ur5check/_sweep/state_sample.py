@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from .._comparison.worst_case.state_box import StateBox
 from .._robot.states import States
 from .._robot.transforms import Array
-from .loops import drawn
-from .rows import placed
+from .loop_choice import drawn
+from .numpy_loops import placed
 
 __all__ = ["BLOCK", "GridSample", "RandomSample", "Sample", "blocks_of", "box_value", "in_box"]
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from .._comparison.worst_case.state_box import StateBox
 from .._robot.states import States
-from .sample import BLOCK, box_value, in_box
+from .state_sample import BLOCK, box_value, in_box
 
 __all__ = ["SobolSample"]
 

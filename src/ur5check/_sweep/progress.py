@@ -8,9 +8,9 @@ from time import monotonic
 from types import TracebackType
 
 from .checkpoint import Checkpoint, save
-from .plan import Plan
-from .sample import BLOCK
-from .tally import Tally
+from .state_sample import BLOCK
+from .statistics import Tally
+from .sweep_plan import Plan
 
 __all__ = ["Journal"]
 

@@ -11,9 +11,9 @@ import numpy as np
 from numba import njit
 
 from .._robot.transforms import Array
-from .magnitudes import BINS, FIRST, HIGHEST, LOWEST, SHIFT, Counts
+from .magnitude_histogram import BINS, FIRST, HIGHEST, LOWEST, SHIFT, Counts
+from .numpy_loops import RowTally
 from .philox import KEY_STEPS, MULTIPLIERS, ROUNDS
-from .rows import RowTally
 
 __all__ = ["drawn", "row_tally"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .reach_map import HEIGHTS
-from .result import Sweep
+from .._sweep.reach_map import HEIGHTS
+from .._sweep.sweep_result import Sweep
 
 __all__ = ["sample_in_words", "tell"]
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ur5check.sweeping.magnitudes import (
+from ur5check._sweep.magnitude_histogram import (
     BINS,
     RELATIVE_ERROR,
     bin_edges,

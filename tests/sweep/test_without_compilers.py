@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from ur5check._dynamics.compiled import kernel
-from ur5check.sweeping import loops, rows
-from ur5check.sweeping.plan import _difference
-from ur5check.sweeping.sweep import sweep
+from ur5check._sweep import loop_choice as loops
+from ur5check._sweep import numpy_loops as rows
+from ur5check._sweep.sweep import sweep
+from ur5check._sweep.sweep_plan import _difference
 
 ROUNDING = 1e-12  # [N m]: machine code and NumPy, on torques of 100 N m
 

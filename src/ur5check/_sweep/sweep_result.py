@@ -10,10 +10,10 @@ from .._comparison.arm_pair import Pair
 from .._comparison.difference import SAME_TORQUE
 from .._comparison.worst_case.state_box import effort_limits
 from .._robot.transforms import Array
-from .exact import mean
-from .magnitudes import quantile
-from .plan import Plan
-from .tally import Tally
+from .exact_sum import mean
+from .magnitude_histogram import quantile
+from .statistics import Tally
+from .sweep_plan import Plan
 
 __all__ = ["QUANTILES", "Sweep"]
 

@@ -17,9 +17,9 @@ from .._robot.serial_arm import SerialArm, Source
 from .._robot.transforms import Array
 from .._version import __version__
 from .reach_map import ReachGrid, reach_grid, tool_position
-from .sample import BLOCK, Sample, blocks_of, box_value
-from .tally import Tally, merged, tally_of
-from .torques import TorqueDifference, torque_difference
+from .state_sample import BLOCK, Sample, blocks_of, box_value
+from .statistics import Tally, merged, tally_of
+from .torque_difference import TorqueDifference, torque_difference
 
 __all__ = ["Plan", "plan_of"]
 

@@ -14,14 +14,14 @@ from examples import random_arm
 from ur5check._dynamics.kinematics import forward_kinematics
 from ur5check._errors import StateError, UsageError
 from ur5check._robot.states import States
-from ur5check.sweeping.magnitudes import RELATIVE_ERROR
-from ur5check.sweeping.plan import plan_of
-from ur5check.sweeping.reach_map import HEIGHTS, ReachGrid, tool_position
-from ur5check.sweeping.result import QUANTILES
-from ur5check.sweeping.sample import BLOCK, GridSample, RandomSample
-from ur5check.sweeping.sobol_sample import SobolSample
-from ur5check.sweeping.sweep import _free_box, sweep
-from ur5check.sweeping.tally import tally_of
+from ur5check._sweep.magnitude_histogram import RELATIVE_ERROR
+from ur5check._sweep.reach_map import HEIGHTS, ReachGrid, tool_position
+from ur5check._sweep.sobol_sample import SobolSample
+from ur5check._sweep.state_sample import BLOCK, GridSample, RandomSample
+from ur5check._sweep.statistics import tally_of
+from ur5check._sweep.sweep import _free_box, sweep
+from ur5check._sweep.sweep_plan import plan_of
+from ur5check._sweep.sweep_result import QUANTILES
 
 COUNT = 10_000
 ROUNDING = 1e-12  # [N m]: the kernel that a sweep runs and the recursion, on torques of 100 N m

@@ -12,8 +12,8 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import TypeVar
 
-from .plan import Plan
-from .tally import Tally
+from .statistics import Tally
+from .sweep_plan import Plan
 
 __all__ = ["Crew", "Span", "fair", "in_order", "spans", "threads"]
 

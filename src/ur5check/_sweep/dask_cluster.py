@@ -21,9 +21,9 @@ import numpy as np
 
 from .._errors import UsageError
 from .._version import __version__
-from .crew import Crew, Span, fair, in_order, spans
-from .plan import Plan
-from .tally import Tally, merged
+from .executor import Crew, Span, fair, in_order, spans
+from .statistics import Tally, merged
+from .sweep_plan import Plan
 
 __all__ = ["cluster"]
 

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 from ur5check._errors import UsageError
-from ur5check.sweeping import journal
-from ur5check.sweeping.checkpoint import tally_value
-from ur5check.sweeping.crew import threads
-from ur5check.sweeping.sample import BLOCK
-from ur5check.sweeping.sweep import sweep
-from ur5check.sweeping.tally import merged
+from ur5check._sweep import progress as journal
+from ur5check._sweep.checkpoint import tally_value
+from ur5check._sweep.executor import threads
+from ur5check._sweep.state_sample import BLOCK
+from ur5check._sweep.statistics import merged
+from ur5check._sweep.sweep import sweep
 
 STATES = 6 * BLOCK + 100
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ur5check.sweeping.exact import exact, mean
+from ur5check._sweep.exact_sum import exact, mean
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 

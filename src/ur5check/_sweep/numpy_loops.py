@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._robot.transforms import Array
-from .magnitudes import Counts, count_sizes
+from .magnitude_histogram import Counts, count_sizes
 from .philox import random_words
 
 __all__ = ["RowTally", "drawn", "placed", "row_tally"]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from importlib.util import find_spec
 
 from .._robot.transforms import Array
-from . import rows
-from .rows import RowTally
+from . import numpy_loops as rows
+from .numpy_loops import RowTally
 
 __all__ = ["drawn", "row_tally"]
 
@@ -19,7 +19,7 @@ def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Arr
     width, lower : of each row, shape (rows,); a word w of 32 bits becomes w · width + lower
     """
     if _NUMBA:
-        from . import fused
+        from . import compiled_loops as fused
 
         return fused.drawn(seed, block, width, lower, length)
     return rows.drawn(seed, block, width, lower, length)
@@ -28,7 +28,7 @@ def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Arr
 def row_tally(row: Array, over: float) -> RowTally:
     """What is counted of one joint's Δτ, shape (N,), contiguous [N m]."""
     if _NUMBA:
-        from . import fused
+        from . import compiled_loops as fused
 
         return fused.row_tally(row, over)
     return rows.row_tally(row, over)

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from .._errors import StateError
 from .._robot.states import States
 from .._robot.transforms import Array
-from .exact import exact
-from .loops import row_tally
-from .magnitudes import BINS, Counts
+from .exact_sum import exact
+from .loop_choice import row_tally
+from .magnitude_histogram import BINS, Counts
 
 __all__ = ["Tally", "merged", "tally_of"]
 
