@@ -9,12 +9,12 @@ import math
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from ur5check.paper.cases import CASES, Case
-from ur5check.paper.claim import Claim, ClaimOutcome
-from ur5check.paper.inertia_formulas import FORMULAS
-from ur5check.paper.reproduction import Reproduction, reproduce
-from ur5check.paper.runs import Run
-from ur5check.paper.story import headline, headline_of_all, summary, tell
+from ur5check._paper.case_runs import Run
+from ur5check._paper.cases import CASES, Case
+from ur5check._paper.claim import Claim, ClaimOutcome
+from ur5check._paper.inertia_formulas import FORMULAS
+from ur5check._paper.reproduction import Reproduction, reproduce
+from ur5check._reports.paper_summary import headline, headline_of_all, summary, tell
 from ur5check.reports.wording import figures, residue
 
 HERE = Path(__file__).resolve().parent

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import ur5check
 from ur5check._comparison.arm_pair import pair_up
+from ur5check._paper.cases import case
+from ur5check._paper.figures.convergence_figure import draw_convergence
+from ur5check._paper.figures.figure_files import as_png, as_svg
 from ur5check._simulation.convergence import Convergence, convergence
-from ur5check.figures.convergence_figure import draw_convergence
-from ur5check.figures.files import as_png, as_svg
-from ur5check.paper.cases import case
 
 HERE = Path(__file__).resolve().parent
 

@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ur5check.figures.case_figure import draw_case
-from ur5check.figures.files import as_png, as_svg
-from ur5check.figures.overview import draw_overview
-from ur5check.paper.cases import CASES
-from ur5check.paper.claims import OF_CASES
-from ur5check.paper.evidence import gather
-from ur5check.paper.reproduction import Reproduction, judge
-from ur5check.paper.story import headline
+from ur5check._paper.cases import CASES
+from ur5check._paper.claims import OF_CASES
+from ur5check._paper.evidence import gather
+from ur5check._paper.figures.case_figure import draw_case
+from ur5check._paper.figures.case_overview import draw_overview
+from ur5check._paper.figures.figure_files import as_png, as_svg
+from ur5check._paper.reproduction import Reproduction, judge
+from ur5check._reports.paper_summary import headline
 
 HERE = Path(__file__).resolve().parent
 

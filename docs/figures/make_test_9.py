@@ -10,10 +10,10 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 import ur5check
+from ur5check._paper.cases import case
+from ur5check._paper.figures.figure_files import as_png, as_svg
+from ur5check._paper.figures.static_hold_figure import draw_standing
 from ur5check._simulation.static_hold import Standing, stand
-from ur5check.figures.files import as_png, as_svg
-from ur5check.figures.standing_figure import draw_standing
-from ur5check.paper.cases import case
 
 HERE = Path(__file__).resolve().parent
 MODELS = ("paper-listing", "appendix")

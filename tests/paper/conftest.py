@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from ur5check.paper.claims import OF_CASES, OF_LIMITS, OF_NUMBERS
-from ur5check.paper.evidence import Evidence, gather
-from ur5check.paper.reproduction import Reproduction, judge
+from ur5check._paper.claims import OF_CASES, OF_LIMITS, OF_NUMBERS
+from ur5check._paper.evidence import Evidence, gather
+from ur5check._paper.reproduction import Reproduction, judge
 
 
 @pytest.fixture(scope="session")

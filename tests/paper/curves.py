@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ur5check._paper.case_runs import Run
 from ur5check._robot.transforms import Array
-from ur5check.paper.runs import Run
 
 
 def with_curve(run: Run, torque: Array) -> Run:

@@ -7,12 +7,12 @@ import pytest
 
 import ur5check
 from examples import UR5S, planar_arm, random_arm
+from ur5check._paper.cases import CASES, case
+from ur5check._paper.evidence import Evidence
+from ur5check._paper.harmonic import fit_harmonic
+from ur5check._paper.paper_models import PRINTED
+from ur5check._paper.statics import holding_torque, nothing_to_hold
 from ur5check._robot.serial_arm import SerialArm
-from ur5check.paper.cases import CASES, case
-from ur5check.paper.evidence import Evidence
-from ur5check.paper.harmonic import fit_harmonic
-from ur5check.paper.models import PRINTED
-from ur5check.paper.statics import holding_torque, nothing_to_hold
 
 #: As the paper has them, typed once more: posture [°], watched joint.  None goes round.
 POSTURES = {

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from paper.curves import replaced, with_curve
+from ur5check._paper import curve_claims, load_claims, number_claims
+from ur5check._paper.case_runs import Run
+from ur5check._paper.cases import SWEEP
+from ur5check._paper.claim import Claim, Trial, judged, overall
+from ur5check._paper.evidence import Evidence
+from ur5check._paper.paper_models import PRINTED, REPAIRED, Form
 from ur5check._robot.inertia import Inertia
 from ur5check._robot.serial_arm import SerialArm
 from ur5check._robot.transforms import Transform
-from ur5check.paper import curve_claims, load_claims, number_claims
-from ur5check.paper.cases import SWEEP
-from ur5check.paper.claim import Claim, Trial, judged, overall
-from ur5check.paper.evidence import Evidence
-from ur5check.paper.models import PRINTED, REPAIRED, Form
-from ur5check.paper.runs import Run
 
 MODELS = (PRINTED, REPAIRED, "appendix", "erd-ur5", "appendix by Pinocchio")
 

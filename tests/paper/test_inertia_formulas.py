@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 
 from ur5check._comparison.rounding.cylinder_constant import cut_twelfths
-from ur5check._robot.inertia import Inertia
-from ur5check.paper.evidence import Evidence
-from ur5check.paper.inertia_formulas import (
+from ur5check._paper.evidence import Evidence
+from ur5check._paper.inertia_formulas import (
     EQ_3,
     FORMULAS,
     TensorFormula,
     tensor_formulas,
     which_formula,
 )
-from ur5check.paper.models import PRINTED
+from ur5check._paper.paper_models import PRINTED
+from ur5check._robot.inertia import Inertia
 
 #: Radius and length of the appendix's cylinders, typed from it [m].
 CYLINDERS = {

@@ -12,8 +12,8 @@ import pytest
 
 from paper.curves import replaced
 from repository import REPOSITORY
-from ur5check.paper.models import PINOCCHIO
-from ur5check.paper.reproduction import Reproduction
+from ur5check._paper.paper_models import PINOCCHIO
+from ur5check._paper.reproduction import Reproduction
 from ur5check.reports.json_values import json_text
 from ur5check.reports.markdown import render_markdown
 from ur5check.reports.paper_document import paper_document

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from paper.curves import replaced, with_curve
-from ur5check.paper.claim import Claim, ClaimOutcome, Trial, judged
-from ur5check.paper.claims import CLAIMS, OF_CASES, OF_NUMBERS
-from ur5check.paper.evidence import Evidence
-from ur5check.paper.models import PINOCCHIO, PRINTED, REPAIRED
-from ur5check.paper.reproduction import Reproduction, judge
-from ur5check.paper.runs import Run
-from ur5check.paper.story import headline, headline_of_all, summary, tell
+from ur5check._paper.case_runs import Run
+from ur5check._paper.claim import Claim, ClaimOutcome, Trial, judged
+from ur5check._paper.claims import CLAIMS, OF_CASES, OF_NUMBERS
+from ur5check._paper.evidence import Evidence
+from ur5check._paper.paper_models import PINOCCHIO, PRINTED, REPAIRED
+from ur5check._paper.reproduction import Reproduction, judge
+from ur5check._reports.paper_summary import headline, headline_of_all, summary, tell
 
 VERDICTS = {
     "vectors": "confirmed after repair",

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from ur5check.paper.evidence import Evidence
-from ur5check.paper.reproduction import Reproduction
-from ur5check.paper.soft_limits import SoftLimits, read_soft_limits, soft_limit_trial
+from ur5check._paper.evidence import Evidence
+from ur5check._paper.reproduction import Reproduction
+from ur5check._paper.soft_limits import SoftLimits, read_soft_limits, soft_limit_trial
 
 GOOD = SoftLimits("joint", -1.0, 1.0, -0.85, 0.85)
 

@@ -6,7 +6,7 @@ import pytest
 from moving_arms import APPENDIX, CASE_9
 
 import ur5check
-from ur5check.paper.simulation_claims import clear_trial, standing_trial
+from ur5check._paper.simulation_claims import clear_trial, standing_trial
 
 
 @pytest.mark.parametrize(("name", "stands"), [("appendix", True), ("paper", False)])

@@ -50,7 +50,7 @@ def run(args: argparse.Namespace) -> int:
     from .._io.gazebo.package_folder import check_folder, write_folder
     from .._io.ros_packages import default_packages
     from .._io.shipped_models import CATALOG
-    from ..paper.cases import case
+    from .._paper.cases import case
     from .output import emit
 
     check_folder(args.folder)

@@ -16,7 +16,7 @@ from .options import add_output_options, command_line, progress
 from .output import check_folder, check_output, emit, emit_files, format_of, rendered
 
 if TYPE_CHECKING:
-    from ..paper.reproduction import Reproduction
+    from .._paper.reproduction import Reproduction
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -39,7 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Reproduce, report, draw, and say whether it can be believed."""
-    from ..paper.reproduction import reproduce
+    from .._paper.reproduction import reproduce
     from ..reports.paper_document import paper_document
     from ..reports.paper_json import paper_json
 
@@ -88,7 +88,7 @@ def _inputs() -> list[Path]:
 
 
 def _check_figures(folder: str) -> None:
-    from ..figures.style import matplotlib
+    from .._paper.figures.figure_style import matplotlib
 
     matplotlib()
     check_folder(folder, option="--figures")
@@ -96,9 +96,9 @@ def _check_figures(folder: str) -> None:
 
 def _pictures(r: Reproduction, *, quiet: bool) -> dict[str, bytes]:
     """File name and content of every picture: drawn before the first is written."""
-    from ..figures.case_figure import draw_case
-    from ..figures.files import as_png, as_svg
-    from ..figures.overview import draw_overview
+    from .._paper.figures.case_figure import draw_case
+    from .._paper.figures.case_overview import draw_overview
+    from .._paper.figures.figure_files import as_png, as_svg
 
     progress(quiet, "drawing")
     drawn = {_name(k): draw_case(r, k) for k in range(1, 10)}

@@ -109,8 +109,8 @@ def run(args: argparse.Namespace) -> int:
         report=lambda: simulation_json(s, command=command),
     )
     if args.figure is not None:
-        from ..figures.files import as_png, as_svg
-        from ..figures.standing_figure import draw_standing
+        from .._paper.figures.figure_files import as_png, as_svg
+        from .._paper.figures.static_hold_figure import draw_standing
 
         drawn = draw_standing(s)
         target = Path(args.figure)
@@ -123,7 +123,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _pose(words: list[str]) -> list[float]:
     """Raises UsageError for what is neither a case's name nor numbers."""
-    from ..paper.cases import CASES
+    from .._paper.cases import CASES
 
     named = {f"case{case.number}": case for case in CASES if case.swept is None}
     if len(words) == 1 and words[0] in named:
@@ -145,7 +145,7 @@ def _check_figure(args: argparse.Namespace) -> None:
         )
     if args.output is not None and Path(args.output).resolve() == Path(args.figure).resolve():
         raise UsageError(f"--figure {args.figure}: the report goes there (-o); name another file")
-    from ..figures.style import matplotlib
+    from .._paper.figures.figure_style import matplotlib
 
     matplotlib()
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ..paper.reproduction import Reproduction
-from ..paper.story import summary, tell
+from .._paper.reproduction import Reproduction
+from .._reports.paper_summary import summary, tell
 from .document import Document, Verdict
 from .provenance import Provenance, inputs_of
 from .reproduced.cases import cases_section, slips_section

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 
-from ..paper.claim import ClaimOutcome
-from ..paper.inertia_formulas import TensorFormula
-from ..paper.reproduction import Reproduction
-from ..paper.runs import Run
-from ..paper.story import summary, tell
+from .._paper.case_runs import Run
+from .._paper.claim import ClaimOutcome
+from .._paper.inertia_formulas import TensorFormula
+from .._paper.reproduction import Reproduction
+from .._reports.paper_summary import summary, tell
 from .json_head import json_head
 from .json_values import Report, strict
 

@@ -11,7 +11,7 @@ import ur5check
 from ur5check._io.gazebo.gazebo_package import GazeboHandover, gazebo_handover
 from ur5check._io.gazebo.package_folder import write_folder
 from ur5check._io.ros_packages import default_packages
-from ur5check.paper.cases import case
+from ur5check._paper.cases import case
 
 CASE_9 = tuple(case(9).joint_angles().ravel())
 

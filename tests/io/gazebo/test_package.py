@@ -21,8 +21,8 @@ from ur5check._errors import UsageError
 from ur5check._io.gazebo.package_templates import fill, names_under
 from ur5check._io.ros_packages import default_packages
 from ur5check._io.xacro.xacro_reader import expand_xacro
+from ur5check._paper.cases import case
 from ur5check._robot import Inertia, Joint, Limits, Link, SerialArm, Transform
-from ur5check.paper.cases import case
 
 ROS = ("ros1", "ros2")
 CASE_9 = case(9).joint_angles()[0]

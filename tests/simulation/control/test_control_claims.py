@@ -7,15 +7,15 @@ import pytest
 
 import ur5check
 from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check._simulation.control.feedback_law import FeedbackLaw
-from ur5check.paper.claim import overall
-from ur5check.paper.control_claims import (
+from ur5check._paper.claim import overall
+from ur5check._paper.control_claims import (
     eq_28_is_the_law,
     feedback_is_stable,
     following_trial,
     pole_trial,
 )
-from ur5check.paper.evidence import Evidence, gather
+from ur5check._paper.evidence import Evidence, gather
+from ur5check._simulation.control.feedback_law import FeedbackLaw
 
 PLANT = PinocchioEngine(ur5check.load("appendix"))
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from ...paper.cases import CASES
-from ...paper.harmonic import Harmonic
-from ...paper.reproduction import Reproduction
-from ...paper.runs import Run
-from ...paper.story import headline
+from ..._paper.case_runs import Run
+from ..._paper.cases import CASES
+from ..._paper.harmonic import Harmonic
+from ..._paper.reproduction import Reproduction
+from ..._reports.paper_summary import headline
 from ..document import Column, Picture, Row, Section, Table
 from ..wording import MISSING, figures, residue
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...paper.claim import ClaimOutcome
-from ...paper.reproduction import Reproduction
+from ..._paper.claim import ClaimOutcome
+from ..._paper.reproduction import Reproduction
 from ..document import Column, Row, Section, Table
 from ..wording import residue
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...paper.reproduction import Reproduction
+from ..._paper.reproduction import Reproduction
 from ..document import Column, Row, Section, Table
 from ..wording import MISSING, figures
 

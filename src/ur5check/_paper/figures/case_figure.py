@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..paper.cases import SWEEP
-from ..paper.reproduction import Reproduction
-from ..paper.runs import Run
-from ..paper.story import headline
-from .style import GREY, LOOKS, READING_ORDER, bare, new_figure, titled
+from ..._reports.paper_summary import headline
+from ..case_runs import Run
+from ..cases import SWEEP
+from ..reproduction import Reproduction
+from .figure_style import GREY, LOOKS, READING_ORDER, bare, new_figure, titled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._robot.serial_arm import SerialArm
+from .case_runs import Run
 from .claim import Claim, ClaimOutcome, Verdict, overall
 from .claims import CLAIMS, ClaimFunction
 from .evidence import Evidence, Progress, gather
 from .inertia_formulas import TensorFormula
-from .models import PINOCCHIO, PRINTED, REPAIRED
-from .runs import Run
-from .slips import SlipEffect, Slips, slip_effect
+from .listing_mistakes import SlipEffect, Slips, slip_effect
+from .paper_models import PINOCCHIO, PRINTED, REPAIRED
 
 __all__ = ["Reproduction", "judge", "reproduce"]
 

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._dynamics.kinematics import link_frames
-from .._robot.transforms import Array
-from .._simulation.static_hold import STILL, Standing
-from .style import BLUE, GREY, INK, ORANGE, bare, new_figure, titled
+from ..._dynamics.kinematics import link_frames
+from ..._robot.transforms import Array
+from ..._simulation.static_hold import STILL, Standing
+from .figure_style import BLUE, GREY, INK, ORANGE, bare, new_figure, titled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

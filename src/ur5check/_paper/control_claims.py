@@ -20,7 +20,7 @@ from .._simulation.control.tracking import Tracking, track
 from .._simulation.control.trajectory import Quintic
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
-from .models import Form
+from .paper_models import Form
 
 __all__ = ["GAINS", "eq_28_is_the_law", "feedback_is_stable", "following_trial", "pole_trial"]
 

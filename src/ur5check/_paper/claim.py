@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
-from .models import Form
+from .paper_models import Form
 
 __all__ = ["Bound", "Claim", "ClaimOutcome", "Trial", "Verdict", "judged", "overall"]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..paper.cases import CASES
-from ..paper.reproduction import Reproduction
-from ..paper.story import headline_of_all
+from ..._reports.paper_summary import headline_of_all
+from ..cases import CASES
+from ..reproduction import Reproduction
 from .case_figure import draw_bars, draw_curves, legend_entries
-from .style import GREY, INK, new_figure, titled
+from .figure_style import GREY, INK, new_figure, titled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -14,10 +14,10 @@ import numpy as np
 from .._dynamics.equations import gravity_torque
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import SerialArm
+from .case_runs import Run
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
-from .models import PINOCCHIO
-from .runs import Run
+from .paper_models import PINOCCHIO
 from .statics import nothing_to_hold
 
 __all__ = ["because_light", "less_than_case_2", "low"]

@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .._errors import UsageError
-from ..paper.models import PINOCCHIO, PRINTED, REPAIRED
+from ..._errors import UsageError
+from ..paper_models import PINOCCHIO, PRINTED, REPAIRED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

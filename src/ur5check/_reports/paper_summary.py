@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections import Counter
 
-from .models import PRINTED, REPAIRED
-from .reproduction import Reproduction
-from .slips import SlipEffect
+from .._paper.listing_mistakes import SlipEffect
+from .._paper.paper_models import PRINTED, REPAIRED
+from .._paper.reproduction import Reproduction
 
 __all__ = ["headline", "headline_of_all", "summary", "tell"]
 

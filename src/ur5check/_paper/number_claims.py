@@ -16,7 +16,7 @@ from .._robot.transforms import Array
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .inertia_formulas import EQ_3, TensorFormula
-from .models import PRINTED, REPAIRED, Form
+from .paper_models import PRINTED, REPAIRED, Form
 
 __all__ = ["across_the_axis", "along_the_axis", "tensors_lie_along_links", "vectors_from_dh"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from typing import TYPE_CHECKING
 
-from .style import matplotlib
+from .figure_style import matplotlib
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

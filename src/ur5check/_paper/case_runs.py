@@ -9,7 +9,7 @@ import numpy as np
 from .._robot.transforms import Array
 from .cases import SWEEP, Case
 from .harmonic import Harmonic, fit_harmonic
-from .models import Model
+from .paper_models import Model
 from .statics import holding_torque
 
 __all__ = ["Run", "run_case"]

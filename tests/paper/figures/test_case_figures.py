@@ -8,15 +8,15 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from ur5check.figures.case_figure import draw_case
-from ur5check.figures.files import as_png, as_svg
-from ur5check.figures.overview import draw_overview
-from ur5check.figures.style import LOOKS, READING_ORDER
-from ur5check.paper.cases import case
-from ur5check.paper.claims import OF_CASES
-from ur5check.paper.evidence import gather
-from ur5check.paper.reproduction import Reproduction, judge
-from ur5check.paper.story import headline, headline_of_all
+from ur5check._paper.cases import case
+from ur5check._paper.claims import OF_CASES
+from ur5check._paper.evidence import gather
+from ur5check._paper.figures.case_figure import draw_case
+from ur5check._paper.figures.case_overview import draw_overview
+from ur5check._paper.figures.figure_files import as_png, as_svg
+from ur5check._paper.figures.figure_style import LOOKS, READING_ORDER
+from ur5check._paper.reproduction import Reproduction, judge
+from ur5check._reports.paper_summary import headline, headline_of_all
 
 #: A picture on a page shall load at once.
 MOST_BYTES = 60_000

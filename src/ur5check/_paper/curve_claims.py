@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from .case_runs import Run
 from .cases import CASES
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
-from .runs import Run
 from .statics import nothing_to_hold
 
 __all__ = ["as_expected", "posture_torque", "sine", "zero_and_constant"]

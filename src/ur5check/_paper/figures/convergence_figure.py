@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._simulation.convergence import Convergence, Refinement
-from .style import BLUE, GREEN, GREY, INK, ORANGE, bare, new_figure, titled
+from ..._simulation.convergence import Convergence, Refinement
+from .figure_style import BLUE, GREEN, GREY, INK, ORANGE, bare, new_figure, titled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -12,7 +12,7 @@ from .._io.shipped_models import lookup
 from .._io.xacro.xacro_reader import expand_xacro
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
-from .models import Form
+from .paper_models import Form
 
 __all__ = ["SoftLimits", "read_soft_limits", "soft_limit_trial", "soft_limits"]
 

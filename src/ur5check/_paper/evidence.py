@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from .case_runs import Run, run_case
 from .cases import CASES
 from .inertia_formulas import TensorFormula, tensor_formulas
-from .models import PRINTED, REPAIRED, Model, load_models
-from .runs import Run, run_case
-from .slips import Slips, find_slips
+from .listing_mistakes import Slips, find_slips
+from .paper_models import PRINTED, REPAIRED, Model, load_models
 
 __all__ = ["Evidence", "Progress", "gather"]
 

@@ -15,7 +15,7 @@ from .._comparison.diagnosis.diagnosis import Finding, diagnose
 from .._dynamics.equations import gravity_torque
 from .._robot.serial_arm import SerialArm
 from .._robot.states import random_states
-from .runs import Run
+from .case_runs import Run
 
 __all__ = ["SlipEffect", "Slips", "find_slips", "slip_effect"]
 

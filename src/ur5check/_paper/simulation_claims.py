@@ -17,7 +17,7 @@ from .._simulation.static_hold import STILL, stand
 from .cases import case
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
-from .models import PRINTED, REPAIRED, Form
+from .paper_models import PRINTED, REPAIRED, Form
 
 __all__ = ["clear_trial", "posture_is_clear", "standing_trial", "the_arm_stands"]
 
