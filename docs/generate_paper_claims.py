@@ -15,7 +15,7 @@ from ur5check._paper.claim import Claim, ClaimOutcome
 from ur5check._paper.inertia_formulas import FORMULAS
 from ur5check._paper.reproduction import Reproduction, reproduce
 from ur5check._reports.paper_summary import headline, headline_of_all, summary, tell
-from ur5check.reports.wording import figures, residue
+from ur5check._reports.wording import figures, residue
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "paper-claims.md"

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import pytest
 
-from ur5check.benchmarking.benchmark import bench
-from ur5check.benchmarking.growth import chain
-from ur5check.benchmarking.result import Benchmark
+from ur5check._benchmarking.benchmark import bench
+from ur5check._benchmarking.growth import chain
+from ur5check._benchmarking.result import Benchmark
 
 #: What is measured in this process; the rest starts processes, and has tests of its own.
 HERE = ("torques", "memory", "matrices", "states", "joints", "operations")

@@ -9,14 +9,14 @@ import jsonschema
 import pytest
 
 from repository import REPOSITORY
-from ur5check.benchmarking.benchmark import QUESTIONS
-from ur5check.benchmarking.result import Benchmark, Profile
-from ur5check.cli.main import main
-from ur5check.reports.benchmark_document import benchmark_document
-from ur5check.reports.benchmark_json import benchmark_json
-from ur5check.reports.json_values import json_text
-from ur5check.reports.markdown import render_markdown
-from ur5check.reports.terminal import render_text
+from ur5check._benchmarking.benchmark import QUESTIONS
+from ur5check._benchmarking.result import Benchmark, Profile
+from ur5check._cli.main import main
+from ur5check._reports.benchmark_document import benchmark_document
+from ur5check._reports.benchmark_json import benchmark_json
+from ur5check._reports.json_values import json_text
+from ur5check._reports.markdown import render_markdown
+from ur5check._reports.terminal import render_text
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))

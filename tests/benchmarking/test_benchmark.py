@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 import ur5check
+from ur5check._benchmarking.benchmark import QUESTIONS, bench
+from ur5check._benchmarking.growth import chain
+from ur5check._benchmarking.memory import copy_of
+from ur5check._benchmarking.pinocchio_calls import PinocchioCalls
+from ur5check._benchmarking.result import Benchmark
+from ur5check._benchmarking.story import tell
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._robot.states import random_states
-from ur5check.benchmarking.benchmark import QUESTIONS, bench
-from ur5check.benchmarking.growth import chain
-from ur5check.benchmarking.memory import copy_of
-from ur5check.benchmarking.pinocchio_calls import PinocchioCalls
-from ur5check.benchmarking.result import Benchmark
-from ur5check.benchmarking.story import tell
 
 #: What the fixture has measured.
 MEASURED = ("torques", "memory", "matrices", "states", "joints", "operations")

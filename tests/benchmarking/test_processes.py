@@ -8,9 +8,9 @@ import sys
 
 import pytest
 
-from ur5check.benchmarking.first_use import COLD, IMPORT, WARM, first_use
-from ur5check.benchmarking.growth import chain
-from ur5check.benchmarking.start_up import start_up
+from ur5check._benchmarking.first_use import COLD, IMPORT, WARM, first_use
+from ur5check._benchmarking.growth import chain
+from ur5check._benchmarking.start_up import start_up
 
 
 def test_start_up_is_held_against_bare_python() -> None:
@@ -24,7 +24,7 @@ def test_start_up_is_held_against_bare_python() -> None:
 
 
 def test_a_first_call_finds_nothing_and_a_second_finds_code(monkeypatch) -> None:
-    monkeypatch.setattr("ur5check.benchmarking.first_use.FIRST_CALLS", {"torques": "rnea"})
+    monkeypatch.setattr("ur5check._benchmarking.first_use.FIRST_CALLS", {"torques": "rnea"})
     torques, longer = first_use(chain(1, 0), (2,), 0, 1).comparisons
     assert [timing.name for timing in torques.timings] == [IMPORT, COLD, WARM]
     assert longer.subject == "torques, 2 joints"
@@ -35,7 +35,7 @@ def test_a_first_call_finds_nothing_and_a_second_finds_code(monkeypatch) -> None
 
 
 def sampled(*words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "ur5check.benchmarking.sampled", *words]
+    command = [sys.executable, "-m", "ur5check._benchmarking.sampled", *words]
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 

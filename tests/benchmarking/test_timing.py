@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from ur5check.benchmarking.timing import Contestant, race, ranked
+from ur5check._benchmarking.timing import Contestant, race, ranked
 
 
 def test_all_take_turns_after_one_run_that_is_not_timed() -> None:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import pytest
 
-from ur5check.cli.main import main
+from ur5check._cli.main import main
 
 
 class Said(NamedTuple):

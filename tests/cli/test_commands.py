@@ -11,8 +11,8 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
+from ur5check._cli.options import MODELS
 from ur5check._io.shipped_models import CATALOG
-from ur5check.cli.options import MODELS
 
 if TYPE_CHECKING:
     from .conftest import Command

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from ur5check._cli.repaired_model import mend
 from ur5check._comparison.diagnosis.diagnosis import diagnose
 from ur5check._comparison.difference import diff
 from ur5check._comparison.explanation import Explanation, explain
-from ur5check.cli.mending import mend
 
 if TYPE_CHECKING:
     from .conftest import Command

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from ur5check.cli.main import COMMANDS, main
+from ur5check._cli.main import COMMANDS, main
 
 if TYPE_CHECKING:
     from .conftest import Command
@@ -93,7 +93,7 @@ def test_a_full_disk_is_said() -> None:
 
 def test_interruption(ur5check: Command) -> None:
     """SIGINT while a command works, as Ctrl-C sends it."""
-    started = "from ur5check.cli.main import main; raise SystemExit(main())"
+    started = "from ur5check._cli.main import main; raise SystemExit(main())"
     with subprocess.Popen(
         [sys.executable, "-c", started, "validate", "--samples", "300000"],
         stdout=subprocess.PIPE,

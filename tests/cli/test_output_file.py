@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from ur5check._cli.output import emit
 from ur5check._errors import UsageError
 from ur5check._io.shipped_models import CATALOG
-from ur5check.cli.output import emit
 
 if TYPE_CHECKING:
     from .conftest import Command

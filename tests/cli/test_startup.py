@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from ur5check.cli.main import COMMANDS
+from ur5check._cli.main import COMMANDS
 
 if TYPE_CHECKING:
     from .conftest import Command
@@ -25,7 +25,7 @@ HEAVY = (
 )
 def test_help_imports_nothing_heavy(arguments: tuple[str, ...]) -> None:
     program = (
-        "import sys; from ur5check.cli.main import main; code = main(sys.argv[1:]); "
+        "import sys; from ur5check._cli.main import main; code = main(sys.argv[1:]); "
         f"print([name for name in {HEAVY} if name in sys.modules], file=sys.stderr); sys.exit(code)"
     )
     done = subprocess.run(
@@ -37,15 +37,15 @@ def test_help_imports_nothing_heavy(arguments: tuple[str, ...]) -> None:
 
 def test_only_the_chosen_command_is_imported() -> None:
     program = (
-        "import sys; from ur5check.cli.main import main; main(['show', '--help']); "
+        "import sys; from ur5check._cli.main import main; main(['show', '--help']); "
         "print(sorted(n for n in sys.modules if n.startswith('ur5check.')), file=sys.stderr)"
     )
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
-    assert "ur5check.cli.show" in done.stderr
-    assert "ur5check.cli.diff" not in done.stderr
-    assert "ur5check.reports" not in done.stderr
+    assert "ur5check._cli.show" in done.stderr
+    assert "ur5check._cli.diff" not in done.stderr
+    assert "ur5check._reports" not in done.stderr
 
 
 def test_as_a_module(process: Command) -> None:

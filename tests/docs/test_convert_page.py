@@ -11,11 +11,11 @@ import pytest
 import ur5check
 from examples import random_arm
 from repository import REPOSITORY
+from ur5check._cli.main import main
 from ur5check._io.dh.dh_writer import dh_toml_of
 from ur5check._io.mjcf.mjcf_writer import mjcf_of
 from ur5check._io.urdf.urdf_writer import urdf_of
 from ur5check._robot import Limits
-from ur5check.cli.main import main
 
 PAGE = (REPOSITORY / "docs" / "convert.md").read_text(encoding="utf-8")
 WRITERS = ((urdf_of, ".urdf"), (mjcf_of, ".xml"), (dh_toml_of, ".toml"))

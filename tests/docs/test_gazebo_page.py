@@ -7,7 +7,7 @@ import shlex
 from pathlib import Path
 
 from repository import REPOSITORY
-from ur5check.cli.main import main
+from ur5check._cli.main import main
 
 ROOT = REPOSITORY
 PAGE = (ROOT / "docs" / "gazebo.md").read_text("utf-8")

@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 
 from repository import REPOSITORY
+from ur5check._cli.main import main
 from ur5check._paper import reproduction as room
 from ur5check._paper.reproduction import Reproduction, reproduce
-from ur5check.cli.main import main
 
 DOCS = REPOSITORY / "docs"
 PAGE = (DOCS / "paper-claims.md").read_text(encoding="utf-8")

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from repository import REPOSITORY
-from ur5check.benchmarking.commands import COMMANDS
-from ur5check.benchmarking.first_use import COLD, FIRST_CALLS, IMPORT, WARM
-from ur5check.benchmarking.torques import LLVM, LOOP, NUMPY, PARALLEL, with_threads
-from ur5check.cli.main import main
+from ur5check._benchmarking.commands import COMMANDS
+from ur5check._benchmarking.first_use import COLD, FIRST_CALLS, IMPORT, WARM
+from ur5check._benchmarking.torques import LLVM, LOOP, NUMPY, PARALLEL, with_threads
+from ur5check._cli.main import main
 
 PAGE = (REPOSITORY / "docs" / "performance.md").read_text(encoding="utf-8")
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from repository import REPOSITORY
-from ur5check.cli.main import main
+from ur5check._cli.main import main
 
 ROOT = REPOSITORY
 README = (ROOT / "README.md").read_text("utf-8")

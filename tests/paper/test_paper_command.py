@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 
+from ur5check._cli.main import main
 from ur5check._paper import reproduction as room
 from ur5check._paper.reproduction import Reproduction
-from ur5check.cli.main import main
 
 
 @pytest.fixture

@@ -14,11 +14,11 @@ from paper.curves import replaced
 from repository import REPOSITORY
 from ur5check._paper.paper_models import PINOCCHIO
 from ur5check._paper.reproduction import Reproduction
-from ur5check.reports.json_values import json_text
-from ur5check.reports.markdown import render_markdown
-from ur5check.reports.paper_document import paper_document
-from ur5check.reports.paper_json import paper_json
-from ur5check.reports.terminal import render_text
+from ur5check._reports.json_values import json_text
+from ur5check._reports.markdown import render_markdown
+from ur5check._reports.paper_document import paper_document
+from ur5check._reports.paper_json import paper_json
+from ur5check._reports.terminal import render_text
 
 SCHEMA = json.loads((REPOSITORY / "docs" / "schemas" / "report-1.schema.json").read_text("utf-8"))
 

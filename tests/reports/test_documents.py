@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import ur5check
 from ur5check._comparison.difference import Difference, compare
+from ur5check._reports.arm_document import arm_document
+from ur5check._reports.difference_document import difference_document
+from ur5check._reports.terminal import render_text
+from ur5check._reports.validation_document import validation_document
 from ur5check._robot import Transform
 from ur5check._robot.states import random_states
 from ur5check._validation.validation import Validation
-from ur5check.reports.arm_document import arm_document
-from ur5check.reports.difference_document import difference_document
-from ur5check.reports.terminal import render_text
-from ur5check.reports.validation_document import validation_document
 
 
 def test_verdict_comes_first(validation: Validation) -> None:

@@ -11,10 +11,10 @@ from ur5check._comparison.attribution_detail import by_parameter
 from ur5check._comparison.diagnosis.diagnosis import diagnose
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
+from ur5check._reports.diff_sections.mistakes_found import findings_section
+from ur5check._reports.difference_document import difference_document
+from ur5check._reports.document import Document, Section, Table
 from ur5check._reports.explanation_summary import removed
-from ur5check.reports.difference_document import difference_document
-from ur5check.reports.document import Document, Section, Table
-from ur5check.reports.explained.findings import findings_section
 
 SECTIONS = [
     "What went wrong",

@@ -16,9 +16,9 @@ from repository import REPOSITORY
 from ur5check._comparison.attribution_detail import by_parameter
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
+from ur5check._reports.difference_json import arm_json, difference_json, validation_json
+from ur5check._reports.json_values import json_text
 from ur5check._validation.validation import Validation
-from ur5check.reports.json_report import arm_json, difference_json, validation_json
-from ur5check.reports.json_values import json_text
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 
 from ur5check._comparison.explanation import Explanation
+from ur5check._reports.difference_document import difference_document
+from ur5check._reports.document import Column, Document, Row, Section, Table
+from ur5check._reports.markdown import render_markdown
+from ur5check._reports.provenance import Provenance
+from ur5check._reports.validation_document import validation_document
 from ur5check._validation.validation import Validation
-from ur5check.reports.difference_document import difference_document
-from ur5check.reports.document import Column, Document, Row, Section, Table
-from ur5check.reports.markdown import render_markdown
-from ur5check.reports.provenance import Provenance
-from ur5check.reports.validation_document import validation_document
 
 
 def unescaped_pipes(line: str) -> int:

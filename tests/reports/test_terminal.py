@@ -10,12 +10,12 @@ from rich.cells import cell_len
 
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
+from ur5check._reports.difference_document import difference_document
+from ur5check._reports.document import Column, Document, Row, Section, Table
+from ur5check._reports.provenance import Provenance
+from ur5check._reports.terminal import render_text
+from ur5check._reports.validation_document import validation_document
 from ur5check._validation.validation import Validation
-from ur5check.reports.difference_document import difference_document
-from ur5check.reports.document import Column, Document, Row, Section, Table
-from ur5check.reports.provenance import Provenance
-from ur5check.reports.terminal import render_text
-from ur5check.reports.validation_document import validation_document
 
 
 def tables(document: Document) -> list[Table]:

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
+from ur5check._reports.wording import coordinates, figures, joined, posture, residue
 from ur5check._robot import Joint
-from ur5check.reports.wording import coordinates, figures, joined, posture, residue
 
 
 @pytest.mark.parametrize(

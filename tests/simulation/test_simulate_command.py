@@ -9,7 +9,7 @@ import jsonschema
 import pytest
 
 from repository import REPOSITORY
-from ur5check.cli.main import main
+from ur5check._cli.main import main
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))

@@ -14,12 +14,12 @@ from moving_arms import APPENDIX, CASE_9
 
 import ur5check
 from repository import REPOSITORY
+from ur5check._cli.main import main
 from ur5check._paper.figures.convergence_figure import draw_convergence
 from ur5check._paper.figures.figure_files import as_svg
 from ur5check._simulation.convergence import Convergence, Refinement
 from ur5check._simulation.joint_range import travel_of
 from ur5check._simulation.static_hold import stand
-from ur5check.cli.main import main
 
 DOCS = REPOSITORY / "docs"
 PAGE = (DOCS / "simulation.md").read_text(encoding="utf-8")

@@ -15,9 +15,9 @@ import pytest
 from pyarrow import parquet
 
 from repository import REPOSITORY
+from ur5check._cli.main import main
 from ur5check._sweep.progress import duration
 from ur5check._sweep.sweep import sweep
-from ur5check.cli.main import main
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))

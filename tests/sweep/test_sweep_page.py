@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from repository import REPOSITORY
-from ur5check.cli.main import main
+from ur5check._cli.main import main
 
 ROOT = REPOSITORY
 PAGE = (ROOT / "docs" / "sweep.md").read_text(encoding="utf-8")

@@ -10,7 +10,7 @@ import shlex
 import pytest
 
 from repository import REPOSITORY
-from ur5check.cli.main import main
+from ur5check._cli.main import main
 
 PAGE = (REPOSITORY / "docs" / "closed-form.md").read_text(encoding="utf-8")
 COMMANDS = re.search(r"^```sh\n(.*?)^```", PAGE, re.M | re.S)[1].splitlines()

@@ -12,13 +12,13 @@ from references import states
 import ur5check
 from examples import random_arm
 from ur5check import strategies
+from ur5check._benchmarking.growth import chain
 from ur5check._dynamics.symbolic import parameter_regrouping as regroup
 from ur5check._dynamics.symbolic import target_values as wishes
 from ur5check._dynamics.symbolic.parameter_regrouping import regroupings, slid
 from ur5check._dynamics.symbolic.target_values import Unseen, Wish
 from ur5check._dynamics.symbolic.trace import trace
 from ur5check._robot import Transform
-from ur5check.benchmarking.growth import chain
 
 ARMS = ("paper", "appendix", "erd-ur5", "random")
 

@@ -10,8 +10,8 @@ import pytest
 from three_joints import ARM
 
 from repository import REPOSITORY
+from ur5check._cli.main import main
 from ur5check._engines.audit.import_difference import KINDS
-from ur5check.cli.main import main
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))

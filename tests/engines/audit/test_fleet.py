@@ -17,16 +17,16 @@ from three_joints import ARM
 
 import ur5check
 from repository import REPOSITORY
+from ur5check._cli.main import main
 from ur5check._engines.audit import fleet_comparison as fleet_module
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
 from ur5check._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_fleet
 from ur5check._engines.registry import installed
 from ur5check._io.example_robots import FLEET
 from ur5check._io.urdf.urdf_reader import read_urdf
-from ur5check.cli.main import main
-from ur5check.reports.fleet_document import fleet_document
-from ur5check.reports.markdown import render_markdown
-from ur5check.reports.parity_json import fleet_json
+from ur5check._reports.engines_json import fleet_json
+from ur5check._reports.fleet_document import fleet_document
+from ur5check._reports.markdown import render_markdown
 
 DOCS = REPOSITORY / "docs"
 PAGE = (DOCS / "engines.md").read_text(encoding="utf-8")

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from ur5check._cli.main import main
 from ur5check._errors import UsageError
 from ur5check._io.gazebo.package_folder import write_folder
-from ur5check.cli.main import main
 
 FILES = {"a/b.txt": b"b", "c.py": b"c"}
 

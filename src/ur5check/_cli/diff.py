@@ -1,0 +1,123 @@
+"""Say what differs between two models, why, by how many newton metres, whose every newton metre is,
+and at which posture it matters most.
+
+Exit code 0 if no torque differs by more than a millionth of the largest, 1 if one does.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterable
+from pathlib import Path
+
+from .._errors import UsageError
+from .options import (
+    MODELS,
+    ModelOptions,
+    add_model_options,
+    add_output_options,
+    add_state_options,
+    command_line,
+    progress,
+)
+from .output import check_output, emit, format_of, rendered
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = f"""\
+{MODELS}
+
+examples:
+  ur5check diff paper appendix
+  ur5check diff good.urdf suspect.urdf --tip-a tool0 --tip-b tool0 --mend mended.urdf -o diff.md
+"""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `diff` takes."""
+    parser.add_argument("a", metavar="A", help="a model")
+    parser.add_argument("b", metavar="B", help="another, held against it")
+    parser.add_argument("--quick", action="store_true", help="what differs, without the why")
+    parser.add_argument(
+        "--mend", metavar="FILE", help="write B, its known mistakes mended, as a URDF"
+    )
+    parser.add_argument(
+        "--by-parameter", action="store_true", help="go down to each of a link's ten parameters"
+    )
+    parser.add_argument(
+        "--acceleration",
+        type=float,
+        metavar="A",
+        help="bound on accelerations for the worst case [rad/s²] (default: 10)",
+    )
+    add_state_options(parser)
+    add_model_options(parser, ("a", "b"))
+    add_output_options(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Compare, explain, report, and say whether they agree."""
+    models = (args.a, args.b)
+    options = ModelOptions.of(args, models)
+    _check_options(args)
+    _check_outputs(args, ())
+    arms = options.load(quiet=args.quiet)
+    _check_outputs(args, options.files(arms))
+
+    from .._comparison.attribution_detail import by_parameter
+    from .._comparison.difference import diff
+    from .._comparison.explanation import explain
+    from .._reports.difference_document import difference_document
+    from .._reports.difference_json import difference_json
+    from .._robot.states import MAX_ACCELERATION
+
+    def say(line: str) -> None:
+        progress(args.quiet, line)
+
+    say(f"comparing them at {args.samples:,} states")
+    d = diff(*arms, samples=args.samples, seed=args.seed, gravity=args.gravity)
+    explanation = None
+    if not args.quick:
+        if args.acceleration is None:
+            args.acceleration = MAX_ACCELERATION
+        explanation = explain(d, acceleration=args.acceleration, progress=say)
+    parameters = by_parameter(d.pair, d.states) if args.by_parameter else None
+    command = command_line("diff", args, models)
+    form = format_of(args.format, args.output)
+    text = rendered(
+        form,
+        args.output,
+        document=lambda: difference_document(
+            d,
+            explanation,
+            parameters=parameters,
+            written_out=args.by_parameter or form == "markdown",
+            command=command,
+        ),
+        report=lambda: difference_json(d, explanation, parameters=parameters, command=command),
+    )
+    if args.mend is not None and explanation is not None:
+        from .repaired_model import mend
+
+        mend(explanation, args.mend, say)
+    emit(text, args.output)
+    return 0 if d.agrees else 1
+
+
+def _check_options(args: argparse.Namespace) -> None:
+    """Raises UsageError for options that have no meaning together."""
+    for option in ("mend", "acceleration"):
+        if args.quick and getattr(args, option) is not None:
+            raise UsageError(f"--{option} needs the explanation that --quick leaves out; drop one")
+    if args.mend is None:
+        return
+    if Path(args.mend).suffix.lower() != ".urdf":
+        raise UsageError(f"--mend {args.mend}: a URDF is written there; end its name in .urdf")
+    if args.output is not None and Path(args.output).resolve() == Path(args.mend).resolve():
+        raise UsageError(f"--mend {args.mend}: the report goes there (-o); name another file")
+
+
+def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
+    inputs = tuple(inputs)
+    check_output(args.output, inputs)
+    check_output(args.mend, inputs, option="--mend")

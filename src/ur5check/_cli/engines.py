@@ -1,0 +1,200 @@
+"""Ask whether all engines mean the same robot: what each of them reads out of a model, how far
+apart their answers are, and what mends it.  Without a model: which engines are here.
+
+Exit code 0 if no torque of any two engines differs by more than --fail-over, 1 if one does or an
+engine does not take the model.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+
+from .._errors import UsageError
+from .options import (
+    MODELS,
+    ModelOptions,
+    add_model_options,
+    add_output_options,
+    command_line,
+    progress,
+)
+from .output import check_output, emit, format_of, rendered
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = f"""\
+{MODELS}
+
+examples:
+  ur5check engines my.urdf.xacro --with mujoco,drake --as-read --fail-over 1e-6
+  ur5check engines --fleet -o fleet.md
+"""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `engines` takes."""
+    parser.add_argument("model", metavar="MODEL", nargs="?", help="what they are to read")
+    parser.add_argument("--list", action="store_true", help="say which engines are here")
+    parser.add_argument(
+        "--fleet", action="store_true", help="every serial arm of example-robot-data"
+    )
+    parser.add_argument(
+        "--with",
+        dest="engines",
+        metavar="ENGINES",
+        help="which take part, as a,b,c (default: all that are installed)",
+    )
+    parser.add_argument(
+        "--fail-over",
+        type=float,
+        metavar="N_M",
+        help="torques that differ by more mean another robot [N m] (default: 1e-10)",
+    )
+    parser.add_argument(
+        "--as-read", action="store_true", help="judge what the engines read, without remedies"
+    )
+    parser.add_argument(
+        "--samples", type=int, metavar="N", help="random states (default: 200; 20 with --fleet)"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=0, metavar="N", help="of the states (default 0)"
+    )
+    parser.add_argument(
+        "--gravity",
+        type=float,
+        nargs=3,
+        metavar=("X", "Y", "Z"),
+        help="told to all, in the base frame [m/s²] (default: what the model says)",
+    )
+    add_model_options(parser, ("",))
+    add_output_options(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    """List, or compare one arm or the fleet."""
+    _check(args)
+    if args.fleet:
+        return _fleet(args)
+    return _list(args) if args.list or args.model is None else _model(args)
+
+
+def _list(args: argparse.Namespace) -> int:
+    from .._reports.engine_list import referees_document, referees_json
+
+    check_output(args.output, ())
+    text = rendered(
+        format_of(args.format, args.output),
+        args.output,
+        document=lambda: referees_document(command="ur5check engines --list"),
+        report=lambda: referees_json(command="ur5check engines --list"),
+    )
+    emit(text, args.output)
+    return 0
+
+
+def _model(args: argparse.Namespace) -> int:
+    options = ModelOptions.of(args, (args.model,))
+    check_output(args.output, ())
+    (arm,) = arms = options.load(quiet=args.quiet)
+    check_output(args.output, options.files(arms))
+
+    from .._engines.audit.engine_comparison import SAME_ROBOT, SAMPLES, compare_engines
+    from .._reports.engines_document import engines_document
+    from .._reports.engines_json import engines_json
+
+    args.samples = SAMPLES if args.samples is None else args.samples
+    args.fail_over = SAME_ROBOT if args.fail_over is None else args.fail_over
+    report = compare_engines(
+        arm,
+        engines=_engines(args),
+        samples=args.samples,
+        seed=args.seed,
+        gravity=args.gravity,
+        progress=lambda line: progress(args.quiet, line),
+    )
+    shown = {
+        "model": args.model,
+        "limit": args.fail_over,
+        "as_read": args.as_read,
+        "command": _command(args, (args.model,)),
+    }
+    text = rendered(
+        format_of(args.format, args.output),
+        args.output,
+        document=lambda: engines_document(report, **shown),
+        report=lambda: engines_json(report, **shown),
+    )
+    emit(text, args.output)
+    stage = report.as_read if args.as_read else report.final
+    return 0 if stage.agrees(args.fail_over) else 1
+
+
+def _fleet(args: argparse.Namespace) -> int:
+    check_output(args.output, ())
+
+    from .._engines.audit.engine_comparison import SAME_ROBOT
+    from .._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_fleet
+    from .._reports.engines_json import fleet_json
+    from .._reports.fleet_document import fleet_document
+
+    args.samples = FLEET_SAMPLES if args.samples is None else args.samples
+    args.fail_over = SAME_ROBOT if args.fail_over is None else args.fail_over
+    fleet = compare_fleet(
+        engines=_engines(args),
+        samples=args.samples,
+        seed=args.seed,
+        remedies=not args.as_read,
+        progress=lambda line: progress(args.quiet, line),
+    )
+    shown = {
+        "limit": args.fail_over,
+        "as_read": args.as_read,
+        "command": _command(args, ()),
+    }
+    text = rendered(
+        format_of(args.format, args.output),
+        args.output,
+        document=lambda: fleet_document(fleet, **shown),
+        report=lambda: fleet_json(fleet, **shown),
+    )
+    emit(text, args.output)
+    return 0 if fleet.worst(as_read=args.as_read) <= args.fail_over else 1
+
+
+def _engines(args: argparse.Namespace) -> list[str] | None:
+    return None if args.engines is None else [key.strip() for key in args.engines.split(",")]
+
+
+def _command(args: argparse.Namespace, models: tuple[str, ...]) -> str:
+    words = [command_line("engines", args, models)]
+    words += ["--fleet"] if args.fleet else []
+    words += [f"--with {','.join(_engines(args) or ())}"] if args.engines is not None else []
+    words += ["--fail-over", repr(args.fail_over)]
+    words += ["--as-read"] if args.as_read else []
+    return " ".join(words)
+
+
+def _check(args: argparse.Namespace) -> None:
+    """Raises UsageError for options that have no meaning together, and for no limit."""
+    if args.model is not None and (args.fleet or args.list):
+        option = "--fleet" if args.fleet else "--list"
+        raise UsageError(f"{option} takes no model; leave {args.model} out")
+    if args.fleet and args.list:
+        raise UsageError("--list and --fleet do not go together; drop one")
+    given = {
+        "--gravity": args.gravity, "--base": args.base, "--tip": args.tip,
+        "--arg": args.arg, "--package": args.package,
+    }  # fmt: skip
+    if args.model is None:
+        if not args.fleet:
+            given |= {
+                "--with": args.engines, "--fail-over": args.fail_over,
+                "--as-read": args.as_read, "--samples": args.samples,
+            }  # fmt: skip
+        for option, value in given.items():
+            if value is not None and value is not False and value != []:
+                raise UsageError(f"{option} needs a model: ur5check engines MODEL {option} …")
+    limit = args.fail_over
+    if limit is not None and not (math.isfinite(limit) and limit >= 0.0):
+        raise UsageError(f"--fail-over {limit}: give a torque of zero or more [N m]")

@@ -1,0 +1,108 @@
+"""Print the URDF that a xacro stands for, without ROS; on request, as one engine reads it right."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from .._errors import UsageError
+from .options import add_output_options, name_value_pairs, progress
+from .output import check_output, emit
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = """\
+examples:
+  ur5check expand appendix -o ur5.urdf
+  ur5check expand robot.urdf.xacro --package my_robot=. --arg prefix:=left_ --for mujoco
+"""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `expand` takes."""
+    parser.add_argument("file", metavar="FILE", help="a .xacro file, or the name of a model")
+    parser.add_argument("--package", action="append", default=[], metavar="NAME=DIR")
+    parser.add_argument("--arg", action="append", default=[], metavar="NAME:=VALUE")
+    parser.add_argument(
+        "--for",
+        dest="reader",
+        metavar="ENGINE",
+        help="rewrite what this engine would misread: mujoco, drake, dart or gazebo",
+    )
+    add_output_options(parser, formats=False)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Expand and print."""
+    from .._io.ros_packages import default_packages
+    from .._io.shipped_models import CATALOG
+    from .._io.xacro.xacro_reader import expand_xacro
+    from .input_files import input_files
+
+    arguments = name_value_pairs(args.arg, "--arg", ":=")
+    packages = name_value_pairs(args.package, "--package", "=")
+    entry = CATALOG.get(args.file)
+    path = entry.path() if entry else Path(args.file)
+    kind = entry.kind if entry else path.suffix.lower().removeprefix(".")
+    check_output(args.output, (path,))
+    if kind == "urdf":
+        text = _urdf(path, args.file, arguments)
+        if args.reader is None:
+            progress(args.quiet, f"{args.file} is a URDF: there is nothing to expand")
+    elif kind == "xacro":
+        expansion = expand_xacro(
+            path, arguments=arguments, packages=default_packages().with_packages(packages)
+        )
+        for warning in expansion.warnings:
+            progress(args.quiet, " ".join(f"xacro says: {warning}".split()))
+        check_output(args.output, input_files(args.file, expansion.inputs, packages))
+        text = expansion.text
+    else:
+        raise UsageError(_not_a_xacro(args.file, kind))
+    if args.reader is not None:
+        text = _rewritten(text, args, path, packages)
+    emit(text if text.endswith("\n") else f"{text}\n", args.output)
+    return 0
+
+
+def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[str, str]) -> str:
+    """The text that the engine reads rightly; says what was changed, and for which habit."""
+    from .._engines.known_issues import remedied_text
+    from .._io.meshes.mesh_paths import with_mesh_paths
+    from .._io.ros_packages import default_packages
+    from .._io.urdf.urdf_checks import check_urdf
+
+    check_urdf(text.encode(), args.file)
+    text, mended = remedied_text(text, args.reader)
+    for habit in mended:
+        progress(args.quiet, f"rewritten for {args.reader}, where {habit.title} ({habit.id})")
+    if args.reader in ("mujoco", "dart"):  # they know no ROS packages, and stop at a mesh not found
+        known = default_packages().with_packages(packages)
+        text, lost = with_mesh_paths(text, known, path.parent)
+        for sentence in lost:
+            progress(args.quiet, sentence)
+    return text
+
+
+def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:
+    from .._io.xml.safe_xml import checked_xml
+
+    if arguments:
+        raise UsageError(f"--arg has no meaning for {name}: it is a URDF, not a xacro")
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise UsageError(f"{name}: cannot be read: {error.strerror}; check the path") from None
+    return checked_xml(data, name).decode()
+
+
+def _not_a_xacro(name: str, kind: str) -> str:
+    from .._io.shipped_models import CATALOG
+    from .._io.suggestions import did_you_mean
+
+    if kind in ("dh", "toml"):
+        return (
+            f"{name} is a DH table: there is no xacro in it to expand; see `ur5check show {name}`"
+        )
+    known = did_you_mean(name, CATALOG)
+    return f"{name} is no xacro and no model's name; give a .xacro file ({known})"

@@ -1,0 +1,204 @@
+"""Options that several commands share, and what they come to."""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .._errors import UsageError
+from .output import FORMATS
+
+if TYPE_CHECKING:
+    from .._robot.serial_arm import SerialArm
+
+__all__ = [
+    "MODELS",
+    "ModelOptions",
+    "add_model_options",
+    "add_output_options",
+    "add_state_options",
+    "command_line",
+    "name_value_pairs",
+    "progress",
+]
+
+MODELS = (
+    "MODEL is paper, paper-listing, appendix, erd-ur5,\n"
+    "or a .urdf, .xacro, .sdf, MJCF .xml or DH .toml file."
+)
+
+
+# Options without a value that change what a report says.
+_FLAGS = ("quick", "by_parameter")
+
+
+def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True) -> None:
+    """--format, -o, --quiet."""
+    if formats:
+        parser.add_argument(
+            "--format",
+            choices=FORMATS,
+            help="default: what the suffix of -o says (.json, .md), else text",
+        )
+    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of to stdout")
+    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def add_state_options(parser: argparse.ArgumentParser) -> None:
+    """--samples, --seed, --gravity."""
+    parser.add_argument(
+        "--samples",
+        type=int,
+        default=10_000,
+        metavar="N",
+        help="random states to look at (default: 10000)",
+    )
+    parser.add_argument(
+        "--seed", type=int, default=0, metavar="N", help="seed that they are drawn from (default 0)"
+    )
+    parser.add_argument(
+        "--gravity",
+        type=float,
+        nargs=3,
+        metavar=("X", "Y", "Z"),
+        help="gravity in each base frame [m/s²] (default: what each model says)",
+    )
+
+
+def add_model_options(parser: argparse.ArgumentParser, sides: tuple[str, ...]) -> None:
+    """--base and --tip for each of `sides` ("" for the only model), --package, --arg."""
+    for side in sides:
+        suffix, of = (f"-{side}", f"{side.upper()}'s") if side else ("", "the model's")
+        for end, what in (("base", "first"), ("tip", "last")):
+            parser.add_argument(
+                f"--{end}{suffix}", metavar="LINK", help=f"{of} {what} link (default: of its chain)"
+            )
+    parser.add_argument(
+        "--package",
+        action="append",
+        default=[],
+        metavar="NAME=DIR",
+        help="where $(find NAME) and package://NAME are; repeatable",
+    )
+    parser.add_argument(
+        "--arg",
+        action="append",
+        default=[],
+        metavar="NAME:=VALUE",
+        help="an argument of a xacro; repeatable",
+    )
+
+
+@dataclass(frozen=True)
+class ModelOptions:
+    """How to read the models of one command line.
+
+    ends : (base, tip) of each model
+    """
+
+    models: tuple[str, ...]
+    ends: tuple[tuple[str | None, str | None], ...]
+    packages: dict[str, str]
+    arguments: dict[str, str]
+
+    @classmethod
+    def of(cls, args: argparse.Namespace, models: tuple[str, ...]) -> ModelOptions:
+        """Raises UsageError for ends of a model that is not there, and pairs that are none."""
+        sides = ("",) if len(models) == 1 else ("_a", "_b")[: len(models)]
+        if len(models) > 2:
+            sides = ("",) * len(models)
+        for end in ("base", "tip"):
+            for side in ("", "_a", "_b"):
+                given = getattr(args, end + side, None) is not None
+                if given and (len(models) > 2 or side not in sides):
+                    wanted = {1: f"--{end}", 2: f"--{end}-a or --{end}-b"}
+                    instead = wanted.get(len(models), "one or two models")
+                    option = f"--{end}{side.replace('_', '-')}"
+                    raise UsageError(
+                        f"{option} has no meaning with {len(models)} "
+                        f"model{'s' if len(models) > 1 else ''}; use {instead}"
+                    )
+        ends = tuple(
+            (getattr(args, f"base{side}", None), getattr(args, f"tip{side}", None))
+            for side in sides
+        )
+        arguments = name_value_pairs(args.arg, "--arg", ":=")
+        if arguments and not any(_is_xacro(model) for model in models):
+            raise UsageError("--arg has no meaning here: none of the models is a xacro")
+        return cls(models, ends, name_value_pairs(args.package, "--package", "="), arguments)
+
+    def load(self, *, quiet: bool) -> list[SerialArm]:
+        """Every arm, in order."""
+        from .._io.loading import load
+
+        arms = []
+        for model, (base, tip) in zip(self.models, self.ends, strict=True):
+            progress(quiet, f"reading {model}")
+            arguments = self.arguments if _is_xacro(model) else None
+            arms.append(
+                load(model, base=base, tip=tip, packages=self.packages, arguments=arguments)
+            )
+        return arms
+
+    def files(self, arms: list[SerialArm]) -> list[Path]:
+        """What was read: the models' own files, and those that a xacro included."""
+        from .input_files import input_files
+
+        return [
+            file
+            for model, arm in zip(self.models, arms, strict=True)
+            for file in input_files(model, arm.source.inputs, self.packages)
+        ]
+
+
+def name_value_pairs(given: list[str], option: str, sign: str) -> dict[str, str]:
+    """NAME=VALUE of a repeatable option.  Raises UsageError for what is none, or said twice."""
+    pairs: dict[str, str] = {}
+    for text in given:
+        name, found, value = text.partition(sign)
+        if not found or not name.strip():
+            raise UsageError(f"{option} {text}: write {option} NAME{sign}VALUE")
+        if name in pairs:
+            raise UsageError(f"{option} {name}{sign}… is given twice; give it once")
+        pairs[name] = value
+    return pairs
+
+
+def command_line(command: str, args: argparse.Namespace, models: tuple[str, ...]) -> str:
+    """The command that makes this report again, with its defaults spelled out."""
+    words = ["ur5check", command, *models]
+    for option in ("base", "tip", "base_a", "tip_a", "base_b", "tip_b", "samples", "seed"):
+        value = getattr(args, option, None)
+        if value is not None:
+            words += [f"--{option.replace('_', '-')}", str(value)]
+    for option in ("quantity", "to", "parameters"):
+        value = getattr(args, option, None)
+        if value is not None:
+            words += [f"--{option}", value]
+    if getattr(args, "gravity", None) is not None:
+        words += ["--gravity", *map(repr, args.gravity)]
+    if getattr(args, "acceleration", None) is not None:
+        words += ["--acceleration", repr(args.acceleration)]
+    words += [f"--{flag.replace('_', '-')}" for flag in _FLAGS if getattr(args, flag, False)]
+    for option in ("package", "arg"):
+        for text in getattr(args, option, ()):
+            words += [f"--{option}", text]
+    return shlex.join(words)
+
+
+def progress(quiet: bool, line: str) -> None:
+    """One plain line on stderr."""
+    if not quiet:
+        print(f"ur5check: {line}", file=sys.stderr, flush=True)  # noqa: T201
+
+
+def _is_xacro(model: str) -> bool:
+    from .._io.shipped_models import CATALOG
+
+    if model in CATALOG:
+        return CATALOG[model].kind == "xacro"
+    return Path(model).suffix.lower() == ".xacro"

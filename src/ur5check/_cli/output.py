@@ -1,0 +1,155 @@
+"""Where a result goes: stdout, or files, each of which is either whole or not there."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import shutil
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from .._errors import UsageError
+
+if TYPE_CHECKING:
+    from .._reports.document import Document
+
+__all__ = [
+    "FORMATS",
+    "Format",
+    "check_folder",
+    "check_output",
+    "emit",
+    "emit_files",
+    "format_of",
+    "rendered",
+]
+
+Format = Literal["text", "json", "markdown"]
+FORMATS: tuple[Format, ...] = ("text", "json", "markdown")
+
+_SUFFIXES: dict[str, Format] = {".json": "json", ".md": "markdown", ".markdown": "markdown"}
+_PIPE_WIDTH = 100
+
+
+def format_of(given: Format | None, output: str | None) -> Format:
+    """The format that was asked for, or the one that the file's suffix asks for."""
+    if given is not None or output is None:
+        return given or "text"
+    return _SUFFIXES.get(Path(output).suffix.lower(), "text")
+
+
+def rendered(
+    form: Format,
+    output: str | None,
+    *,
+    document: Callable[[], Document],
+    report: Callable[[], dict[str, Any]],
+) -> str:
+    """The result as text in the chosen format."""
+    if form == "json":
+        from .._reports.json_values import json_text
+
+        return json_text(report())
+    if form == "markdown":
+        from .._reports.markdown import render_markdown
+
+        return render_markdown(document())
+    from .._reports.terminal import render_text
+
+    shown = output is None and sys.stdout.isatty()
+    colour = shown and "NO_COLOR" not in os.environ and os.environ.get("TERM") != "dumb"
+    width = shutil.get_terminal_size().columns if shown else _PIPE_WIDTH
+    return render_text(document(), width=max(width, 40), colour=colour)
+
+
+def check_output(output: str | None, inputs: Iterable[Path], *, option: str = "-o") -> None:
+    """Refuse, before any work is done, what could not or should not be written.
+
+    option : the one that named the file, for messages
+
+    Raises UsageError.
+    """
+    if output is None:
+        return
+    target = Path(output)
+    if target.is_dir():
+        raise UsageError(f"{option} {output}: is a folder; name a file in it")
+    folder = target.resolve().parent
+    if not folder.is_dir():
+        raise UsageError(f"{option} {output}: there is no folder {str(folder)!r}; make it first")
+    if not os.access(target if target.exists() else folder, os.W_OK):
+        raise UsageError(f"{option} {output}: may not be written; check the permissions")
+    for file in inputs:
+        if target.exists() and file.exists() and target.samefile(file):
+            raise UsageError(f"{option} {output}: is one of the inputs; name another file")
+
+
+def check_folder(folder: str, *, option: str) -> None:
+    """Refuse, before any work is done, a folder that files cannot be put into.
+
+    It may be there, with other files in it, or be made in a folder that is.  Raises UsageError.
+    """
+    target = Path(folder)
+    if target.exists() and not target.is_dir():
+        raise UsageError(f"{option} {folder}: is no folder; name one")
+    above = target.resolve().parent
+    if not above.is_dir():
+        raise UsageError(f"{option} {folder}: there is no folder {str(above)!r}; make it first")
+    if not os.access(target if target.exists() else above, os.W_OK):
+        raise UsageError(f"{option} {folder}: may not be written; check the permissions")
+
+
+def emit_files(files: Mapping[str, bytes], folder: str, *, option: str) -> None:
+    """Put files into a folder, in the place of older ones of their names.
+
+    files : content by name.  Raises UsageError if one cannot be written.
+    """
+    target = Path(folder).resolve()
+    try:
+        target.mkdir(exist_ok=True)
+        for name, content in files.items():
+            _replace(target / name, content)
+    except OSError as error:
+        raise UsageError(f"{option} {folder}: cannot be written: {error.strerror}") from None
+
+
+def emit(text: str, output: str | None, *, option: str = "-o") -> None:
+    """Write the result, whole.  Raises UsageError if it cannot be written."""
+    if output is None:
+        try:
+            sys.stdout.write(text)
+            sys.stdout.flush()
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            raise UsageError(f"stdout cannot be written: {error.strerror}") from None
+        return
+    data = text.encode("utf-8", "backslashreplace")
+    target = Path(output).resolve()  # a link stays a link
+    try:
+        if target.exists() and not target.is_file():
+            target.write_bytes(data)  # /dev/null, a pipe: nothing to put in its place
+        else:
+            _replace(target, data)
+    except OSError as error:
+        raise UsageError(f"{option} {output}: cannot be written: {error.strerror}") from None
+
+
+def _replace(target: Path, data: bytes) -> None:
+    """Write beside the target, then put it in the target's place in one step."""
+    draft = target.with_name(f".{target.name}.{secrets.token_hex(4)}.tmp")
+    try:
+        with draft.open("xb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        if target.exists():
+            shutil.copymode(target, draft)
+        draft.replace(target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            draft.unlink()
+        raise

@@ -1,0 +1,48 @@
+"""Show a model as ur5check understands it: joints, geometry, masses, centres and tensors, in the
+frames of its own file."""
+
+from __future__ import annotations
+
+import argparse
+
+from .options import MODELS, ModelOptions, add_model_options, add_output_options, command_line
+from .output import check_output, emit, format_of, rendered
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = f"""\
+{MODELS}
+
+examples:
+  ur5check show appendix --arg limited:=true
+  ur5check show robot.urdf --base base_link --tip tool0 --format json
+"""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `show` takes."""
+    parser.add_argument("model", metavar="MODEL", help="what to show")
+    add_model_options(parser, ("",))
+    add_output_options(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Read and show."""
+    options = ModelOptions.of(args, (args.model,))
+    check_output(args.output, ())
+    arms = options.load(quiet=True)
+    check_output(args.output, options.files(arms))
+
+    from .._reports.arm_document import arm_document
+    from .._reports.difference_json import arm_json
+
+    (arm,) = arms
+    command = command_line("show", args, (args.model,))
+    text = rendered(
+        format_of(args.format, args.output),
+        args.output,
+        document=lambda: arm_document(arm, command=command),
+        report=lambda: arm_json(arm, command=command),
+    )
+    emit(text, args.output)
+    return 0

@@ -1,0 +1,168 @@
+"""The paper's test 9: give one model's arm (the plant) the torques that hold another's, and see
+whether it stands or moves.
+
+Exit code 0 if it stands, 1 if it moves.
+"""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+from collections.abc import Iterable
+from pathlib import Path
+
+from .._errors import UsageError
+from .options import (
+    MODELS,
+    ModelOptions,
+    add_model_options,
+    add_output_options,
+    command_line,
+    progress,
+)
+from .output import check_output, emit, emit_files, format_of, rendered
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = f"""\
+{MODELS}
+
+examples:
+  ur5check simulate --plant appendix --torque paper-listing --pose case9 --engine mujoco
+  ur5check simulate --torque paper --pose 0 0.9 -1 1 3.5 -1.9 --recompute --figure drift.svg
+"""
+
+_PICTURES = (".svg", ".png")
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `simulate` takes."""
+    parser.add_argument(
+        "--plant", default="appendix", metavar="MODEL", help="the arm that moves, A (appendix)"
+    )
+    parser.add_argument(
+        "--torque", default="appendix", metavar="MODEL", help="whose torques it gets, B (appendix)"
+    )
+    parser.add_argument(
+        "--pose",
+        nargs="+",
+        default=["case9"],
+        metavar="Q",
+        help="where it starts, at rest: case9, or the plant's joint angles [rad] (case9)",
+    )
+    parser.add_argument(
+        "--engine", choices=("own", "mujoco", "dart"), default="own", help="who moves it (own)"
+    )
+    parser.add_argument("--seconds", type=float, default=5.0, metavar="T", help="how long (5)")
+    parser.add_argument(
+        "--step", type=float, default=1e-3, metavar="S", help="of the physics engine [s] (0.001)"
+    )
+    parser.add_argument("--integrator", metavar="NAME", help="of the physics engine (its default)")
+    torque = parser.add_mutually_exclusive_group()
+    torque.add_argument(
+        "--hold",
+        action="store_true",
+        help="torques stay as at the start, as in the paper (default)",
+    )
+    torque.add_argument(
+        "--recompute", action="store_true", help="torques are those of the posture at each step"
+    )
+    parser.add_argument(
+        "--figure", metavar="FILE", help="draw it, .svg or .png (needs ur5check[figures])"
+    )
+    add_model_options(parser, ("a", "b"))
+    add_output_options(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Simulate, report, draw, and say whether the arm stands."""
+    options = ModelOptions.of(args, (args.plant, args.torque))
+    _check_outputs(args, ())
+    _check_figure(args)
+    plant, model = arms = options.load(quiet=args.quiet)
+    _check_outputs(args, options.files(arms))
+
+    from .._reports.simulation_document import simulation_document
+    from .._reports.simulation_json import simulation_json
+    from .._simulation.static_hold import stand
+
+    def say(line: str) -> None:
+        progress(args.quiet, line)
+
+    say(f"simulating {args.plant} under the torques of {args.torque}, engine {args.engine}")
+    s = stand(
+        plant,
+        model,
+        _pose(args.pose),
+        engine=args.engine,
+        held=not args.recompute,
+        seconds=args.seconds,
+        dt=args.step,
+        integrator=args.integrator,
+        say=say,
+    )
+    command = _command(args)
+    text = rendered(
+        format_of(args.format, args.output),
+        args.output,
+        document=lambda: simulation_document(s, command=command),
+        report=lambda: simulation_json(s, command=command),
+    )
+    if args.figure is not None:
+        from .._paper.figures.figure_files import as_png, as_svg
+        from .._paper.figures.static_hold_figure import draw_standing
+
+        drawn = draw_standing(s)
+        target = Path(args.figure)
+        picture = as_png(drawn) if target.suffix.lower() == ".png" else as_svg(drawn)
+        emit_files({target.name: picture}, str(target.parent), option="--figure")
+        say(f"drew {args.figure}")
+    emit(text, args.output)
+    return 0 if s.stands else 1
+
+
+def _pose(words: list[str]) -> list[float]:
+    """Raises UsageError for what is neither a case's name nor numbers."""
+    from .._paper.cases import CASES
+
+    named = {f"case{case.number}": case for case in CASES if case.swept is None}
+    if len(words) == 1 and words[0] in named:
+        return [q for q in named[words[0]].posture if q is not None]
+    try:
+        return [float(word) for word in words]
+    except ValueError:
+        raise UsageError(
+            f"--pose {' '.join(words)}: give {', '.join(named)}, or one angle a joint [rad]"
+        ) from None
+
+
+def _check_figure(args: argparse.Namespace) -> None:
+    if args.figure is None:
+        return
+    if Path(args.figure).suffix.lower() not in _PICTURES:
+        raise UsageError(
+            f"--figure {args.figure}: is drawn as {' or '.join(_PICTURES)}; end its name in one"
+        )
+    if args.output is not None and Path(args.output).resolve() == Path(args.figure).resolve():
+        raise UsageError(f"--figure {args.figure}: the report goes there (-o); name another file")
+    from .._paper.figures.figure_style import matplotlib
+
+    matplotlib()
+
+
+def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
+    inputs = tuple(inputs)
+    check_output(args.output, inputs)
+    check_output(args.figure, inputs, option="--figure")
+
+
+def _command(args: argparse.Namespace) -> str:
+    """The command that makes this report again, with its defaults spelled out."""
+    words = ["--plant", args.plant, "--torque", args.torque, "--pose", *args.pose]
+    words += ["--engine", args.engine, "--seconds", f"{args.seconds:g}"]
+    if args.engine != "own":
+        words += ["--step", f"{args.step:g}"]
+    if args.integrator is not None:
+        words += ["--integrator", args.integrator]
+    words.append("--recompute" if args.recompute else "--hold")
+    return f"{command_line('simulate', args, ())} {shlex.join(words)}"

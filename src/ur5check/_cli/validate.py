@@ -1,0 +1,68 @@
+"""Ask of every model whether the laws of dynamics hold in our hands and in Pinocchio's, whether its
+bodies could exist, and whether every difference from the first model is accounted for.
+
+Exit code 0 if so (different numbers that are accounted for are a finding, no failure), 1 if not.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+from .options import (
+    MODELS,
+    ModelOptions,
+    add_model_options,
+    add_output_options,
+    add_state_options,
+    command_line,
+    progress,
+)
+from .output import check_output, emit, format_of, rendered
+
+__all__ = ["EXAMPLES", "add_options", "run"]
+
+EXAMPLES = f"""\
+{MODELS}
+
+examples:
+  ur5check validate
+  ur5check validate robot.urdf.xacro --package my_robot=. --arg prefix:=left_ -o report.md
+"""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What `validate` takes."""
+    parser.add_argument("models", nargs="*", metavar="MODEL", help="(default: paper appendix)")
+    add_state_options(parser)
+    add_model_options(parser, ("", "a", "b"))
+    add_output_options(parser)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Validate, report, and say whether it passed."""
+    models = tuple(args.models) or ("paper", "appendix")
+    options = ModelOptions.of(args, models)
+    check_output(args.output, ())
+    arms = options.load(quiet=args.quiet)
+    check_output(args.output, options.files(arms))
+
+    from .._reports.difference_json import validation_json
+    from .._reports.validation_document import validation_document
+    from .._validation.validation import validate
+
+    validation = validate(
+        *arms,
+        samples=args.samples,
+        seed=args.seed,
+        gravity=args.gravity,
+        progress=lambda line: progress(args.quiet, line),
+    )
+    command = command_line("validate", args, models)
+    text = rendered(
+        format_of(args.format, args.output),
+        args.output,
+        document=lambda: validation_document(validation, command=command),
+        report=lambda: validation_json(validation, command=command),
+    )
+    emit(text, args.output)
+    return 0 if validation.passed else 1

@@ -1,0 +1,210 @@
+"""What `engines MODEL` shows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, Stage
+from .._engines.audit.engine_reading import Reading
+from .._engines.audit.import_difference import ImportDifference
+from .._engines.registry import REGISTRY
+from .document import Column, Document, Row, Section, Table, Verdict
+from .engines_summary import tell
+from .provenance import Provenance, inputs_of
+from .wording import MISSING, figures, residue
+
+__all__ = ["engines_document"]
+
+_MOST_NAMES = 2
+
+
+def engines_document(
+    report: EngineReport,
+    *,
+    model: str = "",
+    limit: float = SAME_ROBOT,
+    as_read: bool = False,
+    command: str = "",
+) -> Document:
+    """The report of `ur5check engines MODEL`.
+
+    model : what the user called it;  limit : fail over this [N m]
+    as_read : whether the plain import is judged, not that with remedies
+    """
+    verdict, *lines = tell(report, model, limit)
+    good = (report.as_read if as_read else report.final).agrees(limit)
+    word = "AGREE" if good else "DIFFER"
+    if good and not report.as_read.agrees(limit):
+        word = "AGREE ONCE MENDED"
+    return Document(
+        f"{report.arm.name}: do all engines mean the same robot?",
+        Verdict(word, verdict, good),
+        tuple(lines),
+        (_parity(report, limit), _imports(report), _engines(report)),
+        Provenance(inputs_of([report.arm]), report.seed, report.samples, command),
+    )
+
+
+def _parity(report: EngineReport, limit: float) -> Section:
+    if len(report.final.matrix.keys) < 2:
+        return Section("How far apart their answers are", ("There is one side only.",))
+    tables = (_torques(report), _answers(report, limit))
+    return Section("How far apart their answers are", (), tables)
+
+
+def _torques(report: EngineReport) -> Table:
+    """Above the diagonal as read, below it with the remedies."""
+    keys = [reading.key for reading in report.as_read.readings]
+    columns = [Column(REGISTRY[key].title, number=True) for key in keys]
+    rows = []
+    for i, a in enumerate(keys):
+        above = [_torque(report.as_read, a, b) if i < j else "" for j, b in enumerate(keys)]
+        below = [_torque(report.final, a, b) if i > j else "" for j, b in enumerate(keys)]
+        cells = [x or y or "·" for x, y in zip(above, below, strict=True)]
+        rows.append(Row((REGISTRY[a].title, *cells)))
+    note = f"The worst of {len(report.states):,} states"
+    extra = len(report.states) - report.samples
+    note += f", {extra} of them sought for being the worst." if extra else "."
+    if report.mended is not None:
+        note = f"Above the diagonal: as read. Below it: with the remedies. {note}"
+    return Table((Column("|Δτ| [N m]"), *columns), tuple(rows), note=note)
+
+
+def _torque(stage: Stage, a: str, b: str) -> str:
+    if a not in stage.matrix.keys or b not in stage.matrix.keys:
+        return MISSING
+    return residue(stage.matrix.between(a, b).torque)
+
+
+def _answers(report: EngineReport, limit: float) -> Table:
+    """Every answer of every engine, against ours."""
+    rows = []
+    for name, stage in report.stages():
+        for key in stage.matrix.keys[1:]:
+            if name == "mended" and stage.reading(key).engine is report.as_read.reading(key).engine:
+                continue  # it had no need of remedies, and answers as before
+            p = stage.matrix.between("own", key)
+            numbers = (p.torque, p.mass, p.bias, p.acceleration, p.tool)
+            joint = report.arm.joints[p.joint].name if p.torque > limit else MISSING
+            cells = (REGISTRY[key].title, name, *map(residue, numbers), joint)
+            rows.append(Row(cells, bad=p.torque > limit))
+    return Table(
+        (
+            Column("engine"),
+            Column("model"),
+            Column("|Δτ| [N m]", number=True),
+            Column("|ΔM| [kg m²]", number=True),
+            Column("|Δh| [N m]", number=True),
+            Column("|Δq̈| [of q̈]", number=True),
+            Column("tool [m]", number=True),
+            Column("worst joint"),
+        ),
+        tuple(rows),
+        title="Every answer, against our recursion",
+        note="h = C q̇ + g. Accelerations under equal torques, as a part of the largest.",
+    )
+
+
+def _imports(report: EngineReport) -> Section:
+    rows = [
+        row
+        for reading in report.as_read.readings
+        if reading.key != "own" and reading.imported is not None
+        for row in _differences(reading)
+    ]
+    if not rows:
+        return Section("What each engine reads otherwise", ("Nothing.",))
+    explained = "Together they explain every newton metre." if report.explained else ""
+    table = Table(
+        (
+            Column("engine"),
+            Column("what"),
+            Column("where"),
+            Column("the file"),
+            Column("the engine"),
+            Column("costs [N m]", number=True),
+        ),
+        tuple(rows),
+        note=f"Costs: the worst |Δτ| that it makes alone. {MISSING}: bears on no torque. "
+        f"{explained}".strip(),
+    )
+    remedies = tuple(
+        f"{reading.title}: {habit.title}. {habit.explanation} Remedy: {habit.remedy}."
+        for reading in report.as_read.readings
+        if reading.imported is not None
+        for habit in dict.fromkeys(one.habit for one in reading.imported.harmful)
+        if habit is not None
+    )
+    return Section("What each engine reads otherwise", remedies, (table,))
+
+
+def _differences(reading: Reading) -> list[Row]:
+    """One row a kind."""
+    if reading.imported is None:
+        return []
+    by_kind: dict[str, list[ImportDifference]] = {}
+    for one in reading.imported.differences:
+        by_kind.setdefault(one.kind, []).append(one)
+    return [_row(reading.title, alike) for alike in by_kind.values()]
+
+
+def _row(title: str, alike: Sequence[ImportDifference]) -> Row:
+    first = alike[0]
+    costs = [one.cost for one in alike if one.cost is not None]
+    held = {one.held for one in alike}
+    written = {one.written for one in alike}
+    return Row(
+        (
+            title,
+            first.kind,
+            _places(alike),
+            _short(first.written if len(written) == 1 else f"{first.written}, …"),
+            _short(first.held if len(held) == 1 else f"{first.held}, …"),
+            figures(max(costs)) if costs else MISSING,
+        ),
+        bad=first.harmful,
+    )
+
+
+def _places(alike: Sequence[ImportDifference]) -> str:
+    names = [one.where for one in alike if one.where]
+    if len(names) > _MOST_NAMES:
+        return f"{len(names)} {names[0].partition(' ')[0]}s"
+    return ", ".join(names) or "whole arm"
+
+
+def _short(text: str, most: int = 40) -> str:
+    return text if len(text) <= most else f"{text[: most - 1].rstrip(', ')} …"
+
+
+def _engines(report: EngineReport) -> Section:
+    rows = [
+        Row(
+            (r.title, r.version, r.route or "–", r.refused or _holds(r)),
+            bad=r.refused is not None,
+        )
+        for r in report.as_read.readings
+    ]
+    table = Table(
+        (Column("engine"), Column("version"), Column("was given"), Column("holds")), tuple(rows)
+    )
+    lines = [
+        f"{reading.title} warns: {_short(reading.said[0], 160)}"
+        + (f" ({len(reading.said) - 1} more)" if len(reading.said) > 1 else "")
+        for reading in report.as_read.readings
+        if reading.said
+    ]
+    lines += [
+        f"{REGISTRY[key].title} is not installed: pip install 'ur5check[{REGISTRY[key].extra}]'"
+        for key in report.absent
+    ]
+    return Section("The engines", tuple(lines), (table,))
+
+
+def _holds(reading: Reading) -> str:
+    if reading.imported is None:
+        return MISSING
+    mass = sum(body.inertia.mass for body in reading.imported.holdings.bodies)
+    moving = sum(link.inertia.mass for link in reading.imported.believed.links)
+    bodies = len(reading.imported.holdings.bodies)
+    return f"{bodies} bodies, {mass:.6g} kg, of which {moving:.6g} kg move"
