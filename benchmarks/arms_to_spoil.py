@@ -75,8 +75,8 @@ def _urdf_chain(name: str, n: int, rng: np.random.Generator) -> SerialArm:
         kind = "prismatic" if i == sliding else "revolute"
         joints.append(Joint(f"joint_{i + 1}", np.round(rng.normal(size=3), 2), kind))
         xyz, rpy = np.round(rng.uniform(-0.4, 0.4, 3), 4), np.round(rng.uniform(-2, 2, 3), 3)
-        far_end = Transform.from_rpy(xyz, [float(angle) for angle in rpy])
-        frame = far_end.inverse()
+        link_tip_frame = Transform.from_rpy(xyz, [float(angle) for angle in rpy])
+        frame = link_tip_frame.inverse()
         child = Inertia(
             float(np.round(rng.uniform(0.2, 1.0), 3)),
             np.round(rng.uniform(-0.2, 0.2, 3), 4),
@@ -86,7 +86,7 @@ def _urdf_chain(name: str, n: int, rng: np.random.Generator) -> SerialArm:
         links.append(
             Link(
                 f"link_{i + 1}",
-                far_end,
+                link_tip_frame,
                 (own + child).expressed_in(frame),
                 frame,
                 ((f"child_{i + 1}", child.expressed_in(frame)),),
@@ -167,10 +167,12 @@ def _possible(tensor: Array) -> bool:
 def _with_lengths(arm: SerialArm, level: float, rng: np.random.Generator) -> SerialArm:
     links = []
     for link in arm.links:
-        P = link.far_end
-        far_end = Transform(P.R, P.p * (1.0 + rng.uniform(-level, level, 3)))
+        P = link.link_tip_frame
+        link_tip_frame = Transform(P.R, P.p * (1.0 + rng.uniform(-level, level, 3)))
         at_joint = np.abs((P @ link.source_frame).matrix() - np.eye(4)).max() < 1e-6
-        frame = far_end.inverse() if at_joint else link.source_frame
+        frame = link_tip_frame.inverse() if at_joint else link.source_frame
         inertia = link.inertia.expressed_in(frame @ link.source_frame.inverse())
-        links.append(replace(link, far_end=far_end, source_frame=frame, inertia=inertia))
+        links.append(
+            replace(link, link_tip_frame=link_tip_frame, source_frame=frame, inertia=inertia)
+        )
     return replace(arm, links=tuple(links))

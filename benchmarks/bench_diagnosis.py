@@ -150,9 +150,10 @@ def measure(
     """Everything that is measured, as plain values."""
     work = [((name,), mistake) for name in arms for mistake in mistakes]
     if quick:
-        turns = (np.roll(arms, -k) for k in range(len(mistakes)))
+        rotations = (np.roll(arms, -k) for k in range(len(mistakes)))
         work = [
-            (tuple(turn.tolist()), mistake) for turn, mistake in zip(turns, mistakes, strict=True)
+            (tuple(rotation.tolist()), mistake)
+            for rotation, mistake in zip(rotations, mistakes, strict=True)
         ]
     plant = partial(_cases, seed=seed, once=quick)
     with_lengths = (clean + 9) // 10
@@ -253,8 +254,8 @@ def _case(
 def _stands_out(said: Diagnosis, planting: Planting, noise: float) -> bool:
     if not noise or not said.unexplained:
         return bool(said.unexplained)
-    worst = max(said.unexplained, key=lambda suspicion: suspicion.gap)
-    usual = statistics.median(suspicion.gap for suspicion in said.unexplained)
+    worst = max(said.unexplained, key=lambda mismatch: mismatch.gap)
+    usual = statistics.median(mismatch.gap for mismatch in said.unexplained)
     here = worst.link + 1 in planting.links or not planting.links
     return here and worst.gap > _STANDS_OUT * usual
 
@@ -425,10 +426,10 @@ def page(report: dict[str, Any]) -> str:
 
 ## How it is counted
 
-**Planted** in the numbers as the file writes them: at the link's joint for a URDF, at its far end
-for a DH table. `benchmarks/mutations.py` is written from the mistakes' names, not from the
-catalogue's code, and draws one of the ways to make each: which sign, which axis, which power of
-ten, the whole vector or one component. A mistake that would change a number by less than 0.1 % is
+**Planted** in the numbers as the file writes them: at the link's joint for a URDF, at its tip frame
+for a DH table. `benchmarks/mutations.py` is written from the mistakes' names, not from
+their code, and draws one of the ways to make each: which sign, which axis, which power of ten, the
+whole vector or one component. A mistake that would change a number by less than 0.1 % is
 not planted, nor one that moves no axis and no body. Rounded angles and 1/12 rounded are smaller by
 nature and planted all the same.
 

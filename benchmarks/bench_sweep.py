@@ -18,7 +18,7 @@ import numpy as np
 import ur5check
 from ur5check._sweep.sobol_sample import SobolSample
 from ur5check._sweep.state_sample import BLOCK, RandomSample
-from ur5check._sweep.statistics import tally_of
+from ur5check._sweep.statistics import statistics_of
 from ur5check._sweep.torque_difference import torque_difference
 
 _MANY = 10**9  # states that the sweep is thought to have
@@ -42,7 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def measure(blocks: int, repeats: int) -> dict[str, float]:
     """Seconds a state, of each part of the way of one block."""
-    plan = ur5check.sweep("paper", "appendix", states=100, over=1.0).plan
+    plan = ur5check.sweep("paper", "appendix", states=100, tolerance=1.0).plan
     plan = replace(plan, sample=RandomSample(plan.sample.box, _MANY, 0), map_every=64)
     sobol = SobolSample(plan.sample.box, _MANY, 0)
     sobol.block(0)  # its direction numbers are made once
@@ -55,7 +55,7 @@ def measure(blocks: int, repeats: int) -> dict[str, float]:
         f"torques of both arms ({difference.engine})": lambda k: difference.of(
             states.q, states.qd, states.qdd
         ),
-        "tally": lambda k: tally_of(delta, states, 0, over=plan.over),
+        "statistics": lambda k: statistics_of(delta, states, 0, tolerance=plan.tolerance),
         "(numbers, Sobol)": sobol.block,
     }
     seconds = {name: _least(part, blocks, repeats) / BLOCK for name, part in parts.items()}

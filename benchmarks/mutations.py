@@ -2,7 +2,7 @@
 
 Written from the names of the mistakes alone: nothing here looks at how
 `ur5check._comparison.diagnosis` undoes them.  The numbers are altered where an author alters them,
-in the frames of the file: at the link's joint for a URDF, at its far end for a DH table.
+in the frames of the file: at the link's joint for a URDF, at its tip frame for a DH table.
 
 `plantings` gives every way in which a mistake can be made in one link.  Two mistakes may well come
 to the same numbers; `same_inertias` and `same_motion` say so without asking the diagnosis.
@@ -101,12 +101,12 @@ def with_written(arm: SerialArm, numbers: dict[int, Written]) -> SerialArm:
     return replace(arm, links=tuple(links))
 
 
-def _moved(link: Link, far_end: Transform, source_frame: Transform) -> Link:
-    """The link with another far end; what the file says of its bodies stays as it is written."""
+def _moved(link: Link, link_tip_frame: Transform, source_frame: Transform) -> Link:
+    """The link with another tip frame; what the file says of its bodies stays as it is written."""
     shift = source_frame @ link.source_frame.inverse()
     return replace(
         link,
-        far_end=far_end,
+        link_tip_frame=link_tip_frame,
         source_frame=source_frame,
         inertia=link.inertia.expressed_in(shift),
         welded=tuple((name, body.expressed_in(shift)) for name, body in link.welded),
@@ -126,7 +126,7 @@ _Row = tuple[float, float, float, float]
 
 
 def _kind(arm: SerialArm) -> Literal["urdf", "standard", "modified"]:
-    if all(_is_identity(link.far_end @ link.source_frame) for link in arm.links):
+    if all(_is_identity(link.link_tip_frame @ link.source_frame) for link in arm.links):
         return "urdf"
     if all(_is_identity(link.source_frame) for link in arm.links):
         return "standard"
@@ -144,9 +144,9 @@ def _row(T: Transform) -> _Row:
 
 
 def _from_row(theta: float, d: float, a: float, alpha: float) -> Transform:
-    turn = Transform.rotation((0.0, 0.0, 1.0), theta)
+    rotation = Transform.rotation((0.0, 0.0, 1.0), theta)
     rest = Transform.translation((a, 0.0, d)) @ Transform.rotation((1.0, 0.0, 0.0), alpha)
-    return turn @ rest
+    return rotation @ rest
 
 
 def _with_row(arm: SerialArm, i: int, row: _Row) -> SerialArm:
@@ -171,8 +171,8 @@ def _rpy(R: Array) -> Array:
 
 def _with_origin(arm: SerialArm, i: int, xyz: Array, rpy: Array) -> SerialArm:
     """A URDF arm with the origin of the joint after link i (from 0) written anew."""
-    far_end = Transform.from_rpy(xyz, [float(angle) for angle in rpy])
-    return _with_link(arm, i, _moved(arm.links[i], far_end, far_end.inverse()))
+    link_tip_frame = Transform.from_rpy(xyz, [float(angle) for angle in rpy])
+    return _with_link(arm, i, _moved(arm.links[i], link_tip_frame, link_tip_frame.inverse()))
 
 
 # --- numbers that go wrong -----------------------------------------------------------------------
@@ -258,16 +258,16 @@ def _centre_other_end(arm: SerialArm, i: int) -> Iterator[_Change]:
     own, to_source = written(link), link.source_frame.inverse()
     # Both ends of the link in the frame of the file; the centre is measured from the one which is
     # not the origin there.
-    far, joint = to_source.p, (to_source @ link.far_end.inverse()).p
-    how = "from the far end" if np.abs(far).max() > np.abs(joint).max() else "from the joint"
-    end = far if how == "from the far end" else joint
+    far, joint = to_source.p, (to_source @ link.link_tip_frame.inverse()).p
+    how = "from the tip frame" if np.abs(far).max() > np.abs(joint).max() else "from the joint"
+    end = far if how == "from the tip frame" else joint
     yield how, {i: replace(own, com=own.com - end)}
 
 
 def _other_axes(link: Link) -> Array:
     """R with x_other = R x: from the axes of the file to those of the link's other end."""
     to_far = link.source_frame.R
-    to_joint = link.far_end.R @ to_far
+    to_joint = link.link_tip_frame.R @ to_far
     return to_far if np.abs(to_far - np.eye(3)).max() > _NOTHING else to_joint
 
 
@@ -479,39 +479,39 @@ def _body_twice(arm: SerialArm, i: int) -> Iterator[_Mutant]:
 
 
 def _reach_sign(arm: SerialArm, i: int) -> Iterator[_Mutant]:
-    far_end = arm.links[i].far_end
+    link_tip_frame = arm.links[i].link_tip_frame
     if _kind(arm) == "urdf":
-        for how, xyz in _lost_signs(far_end.p):
-            yield how, _with_origin(arm, i, xyz, _rpy(far_end.R))
+        for how, xyz in _lost_signs(link_tip_frame.p):
+            yield how, _with_origin(arm, i, xyz, _rpy(link_tip_frame.R))
     else:
-        theta, d, a, alpha = _row(far_end)
+        theta, d, a, alpha = _row(link_tip_frame)
         yield "sign of d", _with_row(arm, i, (theta, -d, a, alpha))
         yield "sign of a", _with_row(arm, i, (theta, d, -a, alpha))
 
 
 def _reach_axes(arm: SerialArm, i: int) -> Iterator[_Mutant]:
-    far_end = arm.links[i].far_end
+    link_tip_frame = arm.links[i].link_tip_frame
     if _kind(arm) == "urdf":
         for how, order in _columns():
-            yield how, _with_origin(arm, i, far_end.p[order], _rpy(far_end.R))
+            yield how, _with_origin(arm, i, link_tip_frame.p[order], _rpy(link_tip_frame.R))
     else:
-        theta, d, a, alpha = _row(far_end)
+        theta, d, a, alpha = _row(link_tip_frame)
         yield "d and a exchanged", _with_row(arm, i, (theta, a, d, alpha))
 
 
 def _reach_scaled(arm: SerialArm, i: int) -> Iterator[_Mutant]:
-    far_end = arm.links[i].far_end
+    link_tip_frame = arm.links[i].link_tip_frame
     if _kind(arm) == "urdf":
-        for how, xyz in _units(far_end.p):
-            yield how, _with_origin(arm, i, xyz, _rpy(far_end.R))
+        for how, xyz in _units(link_tip_frame.p):
+            yield how, _with_origin(arm, i, xyz, _rpy(link_tip_frame.R))
         for k in range(3):
             for factor in (10.0, 0.1):
-                xyz = far_end.p.copy()
+                xyz = link_tip_frame.p.copy()
                 xyz[k] *= factor
                 how = f"{'xyz'[k]} times {factor:g}"
-                yield how, _with_origin(arm, i, xyz, _rpy(far_end.R))
+                yield how, _with_origin(arm, i, xyz, _rpy(link_tip_frame.R))
     else:
-        theta, d, a, alpha = _row(far_end)
+        theta, d, a, alpha = _row(link_tip_frame)
         for factor in _THOUSANDS:
             how = f"d and a times {factor:g}"
             yield how, _with_row(arm, i, (theta, d * factor, a * factor, alpha))
@@ -523,7 +523,7 @@ def _reach_scaled(arm: SerialArm, i: int) -> Iterator[_Mutant]:
 def _reach_exchanged(arm: SerialArm, i: int) -> Iterator[_Mutant]:
     for j in range(arm.n):
         if j != i:
-            one, other = arm.links[i].far_end, arm.links[j].far_end
+            one, other = arm.links[i].link_tip_frame, arm.links[j].link_tip_frame
             if _kind(arm) == "urdf":
                 mutant = _with_origin(arm, i, other.p, _rpy(one.R))
                 yield f"with link {j + 1}", _with_origin(mutant, j, one.p, _rpy(other.R))
@@ -537,12 +537,12 @@ def _angles(
     arm: SerialArm, i: int, wrong: Callable[[Array], Iterator[tuple[str, Array]]]
 ) -> Iterator[_Mutant]:
     """The angles that a file writes for a link: rpy, or α alone."""
-    far_end = arm.links[i].far_end
+    link_tip_frame = arm.links[i].link_tip_frame
     if _kind(arm) == "urdf":
-        for how, rpy in wrong(_rpy(far_end.R)):
-            yield how, _with_origin(arm, i, far_end.p, rpy)
+        for how, rpy in wrong(_rpy(link_tip_frame.R)):
+            yield how, _with_origin(arm, i, link_tip_frame.p, rpy)
     else:
-        theta, d, a, alpha = _row(far_end)
+        theta, d, a, alpha = _row(link_tip_frame)
         for how, angles in wrong(np.array([alpha])):
             yield how, _with_row(arm, i, (theta, d, a, float(angles[0])))
 
@@ -603,11 +603,11 @@ def _zero_shifted(arm: SerialArm, i: int) -> Iterator[_Mutant]:
         motion = arm.joints[i].motion(float(size))
         if _kind(arm) == "urdf":  # in the origin of the joint, which ends the link before it
             link = arm.links[i - 1]
-            far_end = link.far_end @ motion
-            mutant = _with_link(arm, i - 1, _moved(link, far_end, far_end.inverse()))
+            link_tip_frame = link.link_tip_frame @ motion
+            mutant = _with_link(arm, i - 1, _moved(link, link_tip_frame, link_tip_frame.inverse()))
         else:  # in the row's θ or d
             link = arm.links[i]
-            mutant = _with_link(arm, i, replace(link, far_end=motion @ link.far_end))
+            mutant = _with_link(arm, i, replace(link, link_tip_frame=motion @ link.link_tip_frame))
         yield f"by {size:.4g}", mutant
 
 
@@ -638,7 +638,7 @@ def _dh_convention(arm: SerialArm) -> Iterator[_Mutant]:
     kind = _kind(arm)
     if kind == "urdf":
         return
-    rows = [_row(link.far_end) for link in arm.links]
+    rows = [_row(link.link_tip_frame) for link in arm.links]
     if kind == "modified":
         after, base = [(a, alpha) for *_, a, alpha in rows], _row(arm.base)
         before = [base[2:], *after[:-1]]
@@ -658,8 +658,11 @@ def _dh_convention(arm: SerialArm) -> Iterator[_Mutant]:
 def _base_turned(arm: SerialArm) -> Iterator[_Mutant]:
     vertical = arm.gravity / np.linalg.norm(arm.gravity)
     for angle in (np.pi, np.pi / 2, -np.pi / 2):
-        turn = Transform.rotation(vertical, angle)
-        yield f"by {np.degrees(angle):.0f}° about the vertical", replace(arm, base=turn @ arm.base)
+        rotation = Transform.rotation(vertical, angle)
+        yield (
+            f"by {np.degrees(angle):.0f}° about the vertical",
+            replace(arm, base=rotation @ arm.base),
+        )
 
 
 def _gravity_sign(arm: SerialArm) -> Iterator[_Mutant]:
@@ -741,9 +744,9 @@ def same_inertias(one: SerialArm, other: SerialArm, places: Sequence[int]) -> bo
 def only_moves_the_next_joint(arm: SerialArm, planting: Planting) -> bool:
     """Whether a link's changed geometry is nothing but another zero of the joint after it."""
     i = planting.links[0]
-    if i == arm.n or planting.mistake.split("-")[0] not in ("reach", "turn"):
+    if i == arm.n or planting.mistake.split("-")[0] not in ("link_vector", "rotation"):
         return False
-    change = arm.links[i - 1].far_end.inverse() @ planting.arm.links[i - 1].far_end
+    change = arm.links[i - 1].link_tip_frame.inverse() @ planting.arm.links[i - 1].link_tip_frame
     axis = arm.joints[i].axis
     if arm.joints[i].kind == "prismatic":
         across = change.p - (axis @ change.p) * axis
@@ -768,7 +771,7 @@ def in_space(arm: SerialArm) -> tuple[Array, Array]:
         axis = T.R @ joint.axis
         about = np.zeros(3) if joint.kind == "prismatic" else np.cross(T.p, axis)
         axes.append([*axis, *about])
-        T = T @ link.far_end
+        T = T @ link.link_tip_frame
         bodies.append(link.inertia.expressed_in(T).parameters())
     return np.array(axes), np.array(bodies)
 

@@ -1,4 +1,5 @@
-"""Writes docs/diagnosis.md: the text of diagnosis.in.md, the catalogue as a table, and what the
+"""Writes docs/diagnosis.md: the text of diagnosis.in.md, the list of mistakes as a table, and what
+the
 page's examples print.
 
 python docs/generate_catalogue.py
@@ -14,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from ur5check._comparison.diagnosis import mistake_search as search
-from ur5check._comparison.diagnosis.mistakes import CATALOGUE
+from ur5check._comparison.diagnosis.mistakes import MISTAKES
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "diagnosis.md"
@@ -29,7 +30,7 @@ SPOILS = {
     "body": "mass, centre and tensor",
 }
 
-#: What concerns the whole arm: what it spoils, what happened, how to mend it.
+#: What concerns the whole arm: what it spoils, what happened, how to repair it.
 WHOLE_ARM = {
     "dh-convention": (
         "all lengths and twists",
@@ -104,8 +105,8 @@ def page() -> str:
 
 def link_rows() -> Iterator[tuple[str, ...]]:
     """A row for each mistake in a link's numbers."""
-    for mistake in CATALOGUE:
-        yield mistake.id, SPOILS[mistake.quantity], mistake.says, mistake.mend, met(mistake.id)
+    for mistake in MISTAKES:
+        yield mistake.id, SPOILS[mistake.quantity], mistake.says, mistake.repair, met(mistake.id)
 
 
 def arm_rows() -> Iterator[tuple[str, ...]]:
@@ -115,8 +116,8 @@ def arm_rows() -> Iterator[tuple[str, ...]]:
 
 
 def table(rows: Iterable[tuple[str, ...]]) -> str:
-    """Rows of (id, spoils, what happened, how to mend, who met it)."""
-    lines = ["| id | spoils | what happened | how to mend it | met by |", "|---|---|---|---|---|"]
+    """Rows of (id, spoils, what happened, how to repair, who met it)."""
+    lines = ["| id | spoils | what happened | how to repair it | met by |", "|---|---|---|---|---|"]
     for name, *cells in rows:
         escaped = (cell.replace("|", chr(92) + "|") for cell in cells)
         lines.append(f"| `{name}` | {' | '.join(escaped)} |")

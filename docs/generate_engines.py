@@ -16,7 +16,7 @@ from pathlib import Path
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, compare_engines
 from ur5check._engines.audit.fleet_comparison import FLEET_SAMPLES, FleetReport, compare_fleet
 from ur5check._engines.audit.import_difference import KINDS
-from ur5check._engines.known_issues import HABITS
+from ur5check._engines.known_issues import KNOWN_ISSUES
 from ur5check._engines.registry import REGISTRY
 from ur5check._reports.engines_summary import deed
 
@@ -38,7 +38,7 @@ def page(fleet: FleetReport, appendix: EngineReport) -> str:
         "verdict": verdict(fleet),
         "arms": arms(reports),
         "counts": counts(reports),
-        "habits": habits(),
+        "known_issues": known_issues(),
         "kinds": table(
             ("kind", "what it means", "bears on"),
             ((f"`{kind}`", meaning, bearing) for kind, (bearing, meaning) in KINDS.items()),
@@ -54,19 +54,19 @@ def verdict(fleet: FleetReport) -> str:
     """The outcome in a sentence or two."""
     n = len(fleet.reports)
     same = sum(report.as_read.matrix.worst <= SAME_ROBOT for report in fleet.reports)
-    mended = sum(report.final.matrix.worst <= SAME_ROBOT for report in fleet.reports)
+    repaired = sum(report.final.matrix.worst <= SAME_ROBOT for report in fleet.reports)
     explained = all(report.explained for report in fleet.reports)
     rest = "all of it explained" if explained else "not all of it explained"
     return (
-        f"As read, the engines hold the same robot for {same} of {n} arms; with the remedies for "
-        f"{'all' if mended == n else mended} of them. What differs before is large, and {rest}."
+        f"As read, the engines hold the same robot for {same} of {n} arms; with the fixes for "
+        f"{'all' if repaired == n else repaired} of them. What differs before is large, and {rest}."
     )
 
 
 def arms(reports: Sequence[EngineReport]) -> str:
     """A row an arm."""
     return table(
-        ("arm", "joints", "as read [N m]", "with remedies [N m]", "why"),
+        ("arm", "joints", "as read [N m]", "with fixes [N m]", "why"),
         (
             (
                 report.arm.name,
@@ -121,19 +121,19 @@ def counts(reports: Sequence[EngineReport]) -> str:
     return table(("kind", "bears on", *(REGISTRY[key].title for key in keys)), rows)
 
 
-def habits() -> str:
-    """The catalogue of habits."""
+def known_issues() -> str:
+    """The list of mistakes of known issues."""
     return table(
-        ("engine", "habit", "what happens", "torques", "remedy"),
+        ("engine", "known_issue", "what happens", "torques", "fix"),
         (
             (
-                REGISTRY[habit.engine].title if habit.engine in REGISTRY else "Gazebo",
-                f"`{habit.id}`",
-                code(f"{habit.title}. {habit.explanation}"),
-                "change" if habit.harmful else "stay",
-                code(habit.remedy),
+                REGISTRY[known_issue.engine].title if known_issue.engine in REGISTRY else "Gazebo",
+                f"`{known_issue.id}`",
+                code(f"{known_issue.title}. {known_issue.explanation}"),
+                "change" if known_issue.harmful else "stay",
+                code(known_issue.fix),
             )
-            for habit in HABITS
+            for known_issue in KNOWN_ISSUES
         ),
     )
 

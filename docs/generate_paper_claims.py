@@ -14,7 +14,7 @@ from ur5check._paper.cases import CASES, Case
 from ur5check._paper.claim import Claim, ClaimOutcome
 from ur5check._paper.inertia_formulas import FORMULAS
 from ur5check._paper.reproduction import Reproduction, reproduce
-from ur5check._reports.paper_summary import headline, headline_of_all, summary, tell
+from ur5check._reports.paper_summary import headline, headline_of_all, summarize, summary
 from ur5check._reports.wording import figures, residue
 
 HERE = Path(__file__).resolve().parent
@@ -30,13 +30,22 @@ def page(r: Reproduction) -> str:
     return text.format(
         together=headline_of_all(r),
         summary=summary(r)[0].upper() + summary(r)[1:],
-        story="\n".join(f"- {line}" for line in tell(r)),
+        sentences="\n".join(f"- {line}" for line in summarize(r)),
         verdicts=table(("claim", "came out", "as printed", "must be", "why"), verdicts(r)),
-        slips="\n".join(f"- {finding.sentence}." for finding in r.slips.findings),
+        listing_mistakes="\n".join(
+            f"- {finding.sentence}." for finding in r.listing_mistakes.findings
+        ),
         effects=table(
-            ("case", "torque", "as printed [N m]", "slips mended [N m]", "Table 1 [N m]", "ratio"),
             (
-                (e.case, f"τ{e.joint}", *map(figures, (e.printed, e.mended, e.table, e.ratio)))
+                "case",
+                "torque",
+                "as printed [N m]",
+                "mistakes repaired [N m]",
+                "Table 1 [N m]",
+                "ratio",
+            ),
+            (
+                (e.case, f"τ{e.joint}", *map(figures, (e.printed, e.repaired, e.table, e.ratio)))
                 for e in r.effects
             ),
         ),

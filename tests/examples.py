@@ -19,9 +19,9 @@ def random_arm(n: int, seed: int, *, prismatic: bool = True) -> SerialArm:
         root = rng.normal(size=(3, 3)) * 0.1
         second_moment = root @ root.T
         tensor = np.trace(second_moment) * np.eye(3) - second_moment
-        far_end = Transform.from_rpy(rng.normal(size=3) * 0.3, rng.uniform(-3, 3, 3))
+        link_tip_frame = Transform.from_rpy(rng.normal(size=3) * 0.3, rng.uniform(-3, 3, 3))
         inertia = Inertia(rng.uniform(0.5, 5.0), rng.normal(size=3) * 0.1, tensor)
-        links.append(Link(f"link_{i}", far_end, inertia))
+        links.append(Link(f"link_{i}", link_tip_frame, inertia))
     base = Transform.from_rpy(rng.normal(size=3), rng.uniform(-3, 3, 3))
     return SerialArm(f"chain_{n}", tuple(joints), tuple(links), base, rng.normal(size=3) * 6)
 

@@ -1,4 +1,4 @@
-"""ROS 1's own roslaunch reads a launch file; is the arm's hand-over all there?
+"""ROS 1's own roslaunch reads a launch file; is the arm's export all there?
 
     roslaunch_reads.py PACKAGE N FILE [ARGUMENT:=VALUE …]
 

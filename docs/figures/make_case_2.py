@@ -36,7 +36,7 @@ class Case2:
     appendix: Array
 
     def excess(self) -> float:
-        """By which part the listing's amplitude exceeds that of the mended tables."""
+        """By which part the listing's amplitude exceeds that of the repaired tables."""
         return float(np.abs(self.listing).max() / np.abs(self.paper).max()) - 1.0
 
     def opposed(self) -> bool:
@@ -66,7 +66,7 @@ def draw(case: Case2) -> Figure:
     axes.plot(case.angle, case.appendix, color=INK, linewidth=1.6, linestyle=(0, (4, 2)))
     labels = (
         (case.listing, 0, ORANGE, "the paper's listing,\nas printed"),
-        (case.paper, 18, BLUE, "the same tables,\nsigns mended"),
+        (case.paper, 18, BLUE, "the same tables,\nsigns repaired"),
         (case.appendix, -18, INK, "the appendix URDF,\nby Pinocchio"),
     )
     for curve, shift, colour, text in labels:

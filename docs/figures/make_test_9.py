@@ -12,14 +12,14 @@ from matplotlib.figure import Figure
 import ur5check
 from ur5check._paper.cases import case
 from ur5check._paper.figures.figure_files import as_png, as_svg
-from ur5check._paper.figures.static_hold_figure import draw_standing
-from ur5check._simulation.static_hold import Standing, stand
+from ur5check._paper.figures.static_hold_figure import draw_static_hold
+from ur5check._simulation.static_hold import StaticHold, stand
 
 HERE = Path(__file__).resolve().parent
 MODELS = ("paper-listing", "appendix")
 
 
-def measure(model: str) -> Standing:
+def measure(model: str) -> StaticHold:
     """The appendix's arm by MuJoCo, under the torques that hold a model."""
     plant, q = ur5check.load("appendix"), case(9).joint_angles()[0]
     return stand(plant, ur5check.load(model), q, engine="mujoco")
@@ -27,7 +27,7 @@ def measure(model: str) -> Standing:
 
 def figures() -> dict[str, Figure]:
     """What each file shows, by its name without a suffix."""
-    return {f"test-9-{model}": draw_standing(measure(model)) for model in MODELS}
+    return {f"test-9-{model}": draw_static_hold(measure(model)) for model in MODELS}
 
 
 def main() -> None:

@@ -5,7 +5,7 @@
     │   ├── ModelError        a model file or value: file, line, element, value
     │   ├── StateError        q, qd, qdd or tau: shape, number, length
     │   └── UsageError        an option, a name, a combination that has no meaning
-    └── EngineError           a referee is absent, or could not take the model  exit code 2
+    └── EngineError           a reference engine is absent, or could not take the model  exit code 2
 
 An error says what is wrong *and* what to do.  `ModelError` keeps its parts as fields, so that a
 report can print them one by one and a test can look at one of them.
@@ -30,7 +30,7 @@ class ModelError(InputError):
     Parameters
     ----------
     problem : what is wrong, as a clause ("mass is negative")
-    remedy : what to do about it, as an imperative ("give the mass in kilograms")
+    fix : what to do about it, as an imperative ("give the mass in kilograms")
     file, line : where it stands, when it stands in a file
     element : the element, key or body that holds it ("link 'forearm' inertial/mass")
     value : the offending value, as it was written
@@ -40,14 +40,14 @@ class ModelError(InputError):
         self,
         problem: str,
         *,
-        remedy: str,
+        fix: str,
         file: str | None = None,
         line: int | None = None,
         element: str | None = None,
         value: object = None,
     ) -> None:
         self.problem = problem
-        self.remedy = remedy
+        self.fix = fix
         self.file = file
         self.line = line
         self.element = element
@@ -60,7 +60,7 @@ class ModelError(InputError):
             place += f":{self.line}"
         parts = [part for part in (place, self.element) if part]
         shown = "" if self.value is None else f" (got {_shortened(self.value)})"
-        return ": ".join([*parts, f"{self.problem}{shown}; {self.remedy}"])
+        return ": ".join([*parts, f"{self.problem}{shown}; {self.fix}"])
 
 
 class StateError(InputError):
@@ -72,7 +72,7 @@ class UsageError(InputError):
 
 
 class EngineError(Ur5checkError):
-    """A referee is not installed, or could not take the model it was given."""
+    """A reference engine is not installed, or could not take the model it was given."""
 
 
 def _shortened(value: object, limit: int = 80) -> str:

@@ -20,7 +20,7 @@ from ur5check._reports.terminal import render_text
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
-PROFILE = Profile("ur5check validate", 2.0, (("the referees", 1.25), ("imports", 0.75)))
+PROFILE = Profile("ur5check validate", 2.0, (("the reference engines", 1.25), ("imports", 0.75)))
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ def test_every_timing_is_in_every_form(whole: Benchmark) -> None:
     assert [t.name for t in timings if t.name not in text] == []
     shown = markdown.replace("\\", "")
     assert [t.name for t in timings if t.name not in shown] == []
-    assert "the referees" in text
+    assert "the reference engines" in text
     assert "1.25" in text
 
 

@@ -11,7 +11,7 @@ from ur5check._benchmarking.growth import chain
 from ur5check._benchmarking.memory import copy_of
 from ur5check._benchmarking.pinocchio_calls import PinocchioCalls
 from ur5check._benchmarking.result import Benchmark
-from ur5check._benchmarking.story import tell
+from ur5check._benchmarking.summary import summarize
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._robot.states import random_states
@@ -114,7 +114,7 @@ def test_operations_are_counted(found: Benchmark) -> None:
 
 
 def test_the_story_has_the_ratio(found: Benchmark) -> None:
-    said = tell(found)
+    said = summarize(found)
     torques = found.comparison("torques")
     assert torques is not None
     pin, llvm = (

@@ -44,7 +44,7 @@ def test_the_parts_of_a_command_are_the_whole() -> None:
     spent = json.loads(done.stdout)
     whole = spent.pop("whole")
     assert sum(spent.values()) == pytest.approx(whole, rel=0.1)
-    assert {"imports", "the referees", "our recursion"} <= set(spent)
+    assert {"imports", "the reference engines", "our recursion"} <= set(spent)
 
 
 def test_a_command_that_fails_has_no_profile() -> None:

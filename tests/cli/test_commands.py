@@ -12,7 +12,7 @@ import pinocchio as pin
 import pytest
 
 from ur5check._cli.options import MODELS
-from ur5check._io.shipped_models import CATALOG
+from ur5check._io.shipped_models import SHIPPED_MODELS
 
 if TYPE_CHECKING:
     from .conftest import Command
@@ -174,4 +174,4 @@ def test_show_shows_the_arm(ur5check: Command) -> None:
 
 
 def test_the_help_names_every_shipped_model() -> None:
-    assert all(re.search(rf"\b{name}\b", MODELS) for name in CATALOG)
+    assert all(re.search(rf"\b{name}\b", MODELS) for name in SHIPPED_MODELS)

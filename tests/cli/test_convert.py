@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import ur5check as library
-from ur5check._io.shipped_models import CATALOG
+from ur5check._io.shipped_models import SHIPPED_MODELS
 from ur5check._robot.states import random_states
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ SUFFIX = {"urdf": ".urdf", "mjcf": ".xml", "dh": ".toml"}
 
 
 @pytest.mark.parametrize("form", SUFFIX)
-@pytest.mark.parametrize("name", CATALOG)
+@pytest.mark.parametrize("name", SHIPPED_MODELS)
 def test_what_is_written_is_the_same_arm(
     ur5check: Command, tmp_path: Path, name: str, form: str
 ) -> None:

@@ -1,4 +1,4 @@
-"""`diff` finds what was planted in a file, and --mend takes it out again."""
+"""`diff` finds what was planted in a file, and --repair takes it out again."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from ur5check._cli.repaired_model import mend
+from ur5check._cli.repaired_model import repair
 from ur5check._comparison.diagnosis.diagnosis import diagnose
 from ur5check._comparison.difference import diff
 from ur5check._comparison.explanation import Explanation, explain
@@ -55,9 +55,9 @@ def unasked() -> Explanation:
 def test_what_was_planted_is_found_and_mended(
     ur5check: Command, planted: Path, tmp_path: Path
 ) -> None:
-    mended, report = tmp_path / "mended.urdf", tmp_path / "report.json"
+    repaired, report = tmp_path / "repaired.urdf", tmp_path / "report.json"
     code, _, err = ur5check(
-        "diff", "appendix", planted, *FEW, "--mend", mended, "-o", report, "--acceleration", 5
+        "diff", "appendix", planted, *FEW, "--repair", repaired, "-o", report, "--acceleration", 5
     )
     assert code == 1, err
     found = json.loads(report.read_text(encoding="utf-8"))
@@ -68,58 +68,61 @@ def test_what_was_planted_is_found_and_mended(
     assert found["diagnosis"][-1]["after"] == pytest.approx(0.0, abs=1e-9)
     assert max(abs(x) for case in found["worst_case"] for x in case["state"]["qdd"]) == 5.0
     assert found["command"].endswith("--acceleration 5.0")
-    said = [line for line in err.splitlines() if "mended: " in line]
+    said = [line for line in err.splitlines() if "repaired: " in line]
     assert any("Link 2 of " in line and "centre of mass" in line for line in said)
     assert any("Link 3 of " in line and "tensor" in line for line in said)
-    assert err.endswith(f"wrote {mended}\n")
-    assert ur5check("diff", "appendix", mended, *FEW, "--quick").code == 0
+    assert err.endswith(f"wrote {repaired}\n")
+    assert ur5check("diff", "appendix", repaired, *FEW, "--quick").code == 0
 
 
 def test_a_mistake_in_a_is_not_mended_in_b(
     ur5check: Command, planted: Path, tmp_path: Path
 ) -> None:
-    mended = tmp_path / "mended.urdf"
-    code, _, err = ur5check("diff", planted, "appendix", *FEW, "--mend", mended)
+    repaired = tmp_path / "repaired.urdf"
+    code, _, err = ur5check("diff", planted, "appendix", *FEW, "--repair", repaired)
     assert code == 1
-    assert re.search(r"not mended: Link 2 of \w+: .*; A is the one to mend: swap the", err)
-    assert not re.search(r": mended: Link 2 ", err)
+    assert re.search(r"not repaired: Link 2 of \w+: .*; A is the one to repair: swap the", err)
+    assert not re.search(r": repaired: Link 2 ", err)
 
 
 def test_the_listing_is_mended(tmp_path: Path, unasked: Explanation) -> None:
     """The paper's listing against its own tables, either way round; its gravity stays unsaid."""
-    file = tmp_path / "mended.urdf"
+    file = tmp_path / "repaired.urdf"
     said: list[str] = []
     for a, b in (("paper", "paper-listing"), ("paper-listing", "paper")):
         difference = diff(a, b, samples=50)
         found = diagnose(difference.pair, difference.states)
-        mend(replace(unasked, difference=difference, diagnosis=found), str(file), said.append)
+        repair(replace(unasked, difference=difference, diagnosis=found), str(file), said.append)
         if b == "paper-listing":
             assert said[-1] == f"wrote {file}"
             assert diff(a, file, samples=50).agrees
             assert any("a URDF carries no gravity: give --gravity X Y Z" in line for line in said)
             file.unlink()
         else:
-            assert said[-1] == f"{file} is not written: nothing to mend in paper"
+            assert said[-1] == f"{file} is not written: nothing to repair in paper"
             assert not file.exists()
 
 
 def test_no_input_is_overwritten(ur5check: Command, good: Path, planted: Path) -> None:
     before = planted.read_bytes()
     for file in (good, planted):
-        code, out, err = ur5check("diff", good, planted, *FEW, "--mend", file)
+        code, out, err = ur5check("diff", good, planted, *FEW, "--repair", file)
         assert (code, out) == (2, ""), err
-        assert err.endswith(f"--mend {file}: is one of the inputs; name another file\n")
+        assert err.endswith(f"--repair {file}: is one of the inputs; name another file\n")
     assert planted.read_bytes() == before
 
 
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--mend", "b.urdf", "--quick"), "--mend needs the explanation that --quick leaves out"),
+        (
+            ("--repair", "b.urdf", "--quick"),
+            "--repair needs the explanation that --quick leaves out",
+        ),
         (("--acceleration", 5, "--quick"), "--acceleration needs the explanation"),
-        (("--mend", "b.xml"), "end its name in .urdf"),
-        (("--mend", "b.urdf", "-o", "b.urdf"), "the report goes there"),
-        (("--mend", "no/such/b.urdf"), "--mend no/such/b.urdf: there is no folder"),
+        (("--repair", "b.xml"), "end its name in .urdf"),
+        (("--repair", "b.urdf", "-o", "b.urdf"), "the report goes there"),
+        (("--repair", "no/such/b.urdf"), "--repair no/such/b.urdf: there is no folder"),
         (("--acceleration", -1), "acceleration must be a positive number"),
     ],
 )

@@ -10,7 +10,7 @@ from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import MultibodyPlant
 
 import ur5check as ur5
-from ur5check._engines.captured_warnings import listening
+from ur5check._engines.captured_warnings import capturing
 from ur5check._robot.states import random_states
 
 STATE = random_states(6, 1, seed=3)
@@ -45,7 +45,7 @@ def torque_of_mujoco(file):
 
 
 def torque_of_dart(text):
-    with listening():
+    with capturing():
         skeleton = dartpy.utils.DartLoader().parseSkeletonString(text, dartpy.common.Uri(""))
     assert skeleton.getNumDofs() == 6  # the root does not float
     skeleton.setPositions(Q)
@@ -112,8 +112,8 @@ def test_gazebo_gets_a_world_and_a_base_that_weighs(ur5check, tmp_path):
     light.write_text(text.replace("</joint>", f"{limit}</joint>", 1), "utf-8")
     said = ur5check("expand", light, "--for", "gazebo")
     assert said.code == 0
-    for habit in ("gazebo-floating-root", "gazebo-massless-base", "gazebo-no-limit"):
-        assert habit in said.err
+    for known_issue in ("gazebo-floating-root", "gazebo-massless-base", "gazebo-no-limit"):
+        assert known_issue in said.err
     heavy = tmp_path / "heavy.urdf"
     heavy.write_text(said.out, "utf-8")
     arms = ur5.load("paper"), ur5.load(heavy, base="base_link")

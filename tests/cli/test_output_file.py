@@ -11,7 +11,7 @@ import pytest
 
 from ur5check._cli.output import emit
 from ur5check._errors import UsageError
-from ur5check._io.shipped_models import CATALOG
+from ur5check._io.shipped_models import SHIPPED_MODELS
 
 if TYPE_CHECKING:
     from .conftest import Command
@@ -104,8 +104,8 @@ def test_no_input_is_overwritten(ur5check: Command, tmp_path: Path, command: str
 
 
 def test_no_shipped_model_is_overwritten(ur5check: Command) -> None:
-    included = CATALOG["appendix"].path().with_name("ur5.urdf.xacro")
-    for model, path in (("paper", CATALOG["paper"].path()), ("appendix", included)):
+    included = SHIPPED_MODELS["appendix"].path().with_name("ur5.urdf.xacro")
+    for model, path in (("paper", SHIPPED_MODELS["paper"].path()), ("appendix", included)):
         code, _, err = ur5check("validate", model, *FEW, "-o", path)
         assert code == 2
         assert "is one of the inputs" in err

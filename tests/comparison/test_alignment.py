@@ -24,7 +24,7 @@ def in_other_coordinates(arm, T_ab, signs, offsets):
     for joint, link, sign, offset in zip(arm.joints, arm.links, signs, offsets, strict=True):
         turned = Joint(joint.name, joint.axis * sign, joint.kind, joint.limits)
         joints.append(turned)
-        links.append(replace(link, far_end=turned.motion(-offset) @ link.far_end))
+        links.append(replace(link, link_tip_frame=turned.motion(-offset) @ link.link_tip_frame))
     back = T_ab.inverse()
     return SerialArm(
         "other", tuple(joints), tuple(links), back @ arm.base, back.R @ np.asarray(arm.gravity)
@@ -116,7 +116,9 @@ def test_a_shifted_zero_of_a_joint_that_tilts_in_gravity_stays_with_the_joint():
 def test_without_a_common_tool_the_last_zero_is_said_to_be_unknown():
     arm = ur5check.load("appendix")
     last = arm.links[-1]
-    bent = replace(last, far_end=last.far_end @ Transform.from_rpy((0, 0.1, 0), (0.3, 0.2, 0.1)))
+    bent = replace(
+        last, link_tip_frame=last.link_tip_frame @ Transform.from_rpy((0, 0.1, 0), (0.3, 0.2, 0.1))
+    )
     other = replace(arm, links=(*arm.links[:-1], bent))
     found = align(arm, other)
     assert found.exact
@@ -145,8 +147,10 @@ def test_different_geometry_is_not_made_to_fit():
 def test_a_millimetre_is_a_difference():
     arm = ur5check.load("paper")
     second = arm.links[1]
-    longer = replace(second.far_end, p=second.far_end.p + [1e-3, 0, 0])
-    other = replace(arm, links=(arm.links[0], replace(second, far_end=longer), *arm.links[2:]))
+    longer = replace(second.link_tip_frame, p=second.link_tip_frame.p + [1e-3, 0, 0])
+    other = replace(
+        arm, links=(arm.links[0], replace(second, link_tip_frame=longer), *arm.links[2:])
+    )
     found = align(arm, other)
     assert not found.exact
     assert found.axis_distance[2] == pytest.approx(1e-3)

@@ -13,7 +13,7 @@ import ur5check
 from examples import random_arm
 from ur5check import strategies
 from ur5check._comparison.arm_pair import pair_up
-from ur5check._comparison.attribution import Owner, attribute
+from ur5check._comparison.attribution import Contribution, attribute
 from ur5check._comparison.shapley import shares
 from ur5check._robot import Transform
 from ur5check._robot.states import random_states
@@ -54,7 +54,7 @@ def owner_of(changed):
     others = np.delete(largest, guilty).max()
     assert largest[guilty] > 1e-3
     assert others < 1e-9 * largest[guilty]
-    return found.owners[guilty]
+    return found.contributions[guilty]
 
 
 def with_link_3(**change):
@@ -63,13 +63,13 @@ def with_link_3(**change):
 
 
 @pytest.mark.parametrize(
-    ("changed", "owner"),
+    ("changed", "contribution"),
     [
-        (with_link_3(mass=9.0), Owner("mass", 3)),
-        (with_link_3(com=np.array([0.3, 0.1, 0.2])), Owner("centre of mass", 3)),
-        (with_link_3(tensor=np.diag([0.4, 0.5, 0.6])), Owner("tensor", 3)),
-        (ARM.with_gravity([1.0, 2.0, 3.0]), Owner("gravity")),
-        (ARM.with_armature([0.0, 0.5, 0.0, 0.0]), Owner("motor inertia")),
+        (with_link_3(mass=9.0), Contribution("mass", 3)),
+        (with_link_3(com=np.array([0.3, 0.1, 0.2])), Contribution("centre of mass", 3)),
+        (with_link_3(tensor=np.diag([0.4, 0.5, 0.6])), Contribution("tensor", 3)),
+        (ARM.with_gravity([1.0, 2.0, 3.0]), Contribution("gravity")),
+        (ARM.with_armature([0.0, 0.5, 0.0, 0.0]), Contribution("motor inertia")),
         (
             replace(
                 ARM,
@@ -77,18 +77,19 @@ def with_link_3(**change):
                     *ARM.links[:2],
                     replace(
                         ARM.links[2],
-                        far_end=Transform.translation((0.05, 0, 0)) @ ARM.links[2].far_end,
+                        link_tip_frame=Transform.translation((0.05, 0, 0))
+                        @ ARM.links[2].link_tip_frame,
                     ),
                     ARM.links[3],
                 ),
             ),
-            Owner("geometry"),
+            Contribution("geometry"),
         ),
     ],
     ids=["mass", "centre", "tensor", "gravity", "motor", "geometry"],
 )
-def test_a_single_change_is_given_to_its_owner(changed, owner):
-    assert owner_of(changed) == owner
+def test_a_single_change_is_given_to_its_owner(changed, contribution):
+    assert owner_of(changed) == contribution
 
 
 def test_shares_sum_to_one_and_no_difference_has_none():

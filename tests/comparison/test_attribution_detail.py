@@ -13,7 +13,7 @@ import ur5check
 from examples import random_arm
 from ur5check import strategies
 from ur5check._comparison.arm_pair import pair_up
-from ur5check._comparison.attribution import PARAMETER_OWNERS, Owner, attribute
+from ur5check._comparison.attribution import PARAMETER_CONTRIBUTIONS, Contribution, attribute
 from ur5check._comparison.attribution_detail import by_parameter, by_term
 from ur5check._robot import PARAMETERS, Inertia, Joint, Link, SerialArm, Transform
 from ur5check._robot.states import random_states
@@ -24,7 +24,7 @@ PAIRS = [("paper", "appendix"), ("paper-listing", "paper"), ("erd-ur5", "appendi
 
 
 def test_owners_are_the_ten_parameters():
-    assert PARAMETER_OWNERS == PARAMETERS
+    assert PARAMETER_CONTRIBUTIONS == PARAMETERS
 
 
 @given(st.data())
@@ -82,7 +82,7 @@ def changed(link, parameter, by):
 def test_a_changed_parameter_is_blamed_alone(parameter):
     found = by_parameter(pair_up(ARM, changed(3, parameter, 0.2)), STATES)
     weight = found.weight()
-    assert found.owners[int(weight.argmax())] == Owner(parameter, 3)
+    assert found.contributions[int(weight.argmax())] == Contribution(parameter, 3)
     assert weight.max() == pytest.approx(1.0, abs=1e-9)
     assert not found.cancels
 

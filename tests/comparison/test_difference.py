@@ -7,20 +7,20 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check._comparison.difference_summary import base_in_words, tell
+from ur5check._comparison.difference_summary import base_in_words, summarize
 from ur5check._robot import Transform
 
 
 def told(a, b, **options):
-    return tell(ur5check.diff(a, b, samples=500, **options))
+    return summarize(ur5check.diff(a, b, samples=500, **options))
 
 
 def test_paper_against_appendix():
-    verdict, geometry, owners, account = told("paper", "appendix")
+    verdict, geometry, contributions, account = told("paper", "appendix")
     assert "different torques" in verdict
     assert "turned by 180° about z" in geometry
     assert "joint angles as they stand" in geometry
-    assert owners.startswith("Whose it is: link 2, centre of mass")
+    assert contributions.startswith("Whose it is: link 2, centre of mass")
     assert "Every newton metre has an owner" in account
 
 
@@ -42,7 +42,7 @@ def test_the_librarys_ur5_against_the_appendix():
 def test_an_arm_agrees_with_itself():
     difference = ur5check.diff("appendix", "appendix", samples=100)
     assert difference.agrees
-    assert "have the same dynamics" in tell(difference)[0]
+    assert "have the same dynamics" in summarize(difference)[0]
 
 
 def test_digits_are_no_difference_and_a_gram_is():

@@ -19,6 +19,6 @@ def test_page_is_the_registrys() -> None:
 
 def test_every_check_is_explained() -> None:
     template = (DOCS / "checks.in.md").read_text(encoding="utf-8")
-    explained = ("-referee", "-inverse")  # agreement needs no formula beyond its own
+    explained = ("-reference", "-inverse")  # agreement needs no formula beyond its own
     for check in (*LAWS, *BODIES, *PAIRS):
         assert check.id.endswith(explained) or f"`{check.id}`" in template, check.id

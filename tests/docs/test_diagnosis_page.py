@@ -1,4 +1,4 @@
-"""docs/diagnosis.md says what the catalogue says, and its examples print what it prints."""
+"""docs/diagnosis.md says what the list of mistakes says, and its examples print what it prints."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import pytest
 
 from repository import REPOSITORY
 from ur5check._comparison.diagnosis import arm_mistakes as whole_arm
-from ur5check._comparison.diagnosis.mistakes import CATALOGUE
-from ur5check._io.shipped_models import CATALOG
+from ur5check._comparison.diagnosis.mistakes import MISTAKES
+from ur5check._io.shipped_models import SHIPPED_MODELS
 
 DOCS = REPOSITORY / "docs"
 
@@ -32,8 +32,8 @@ def test_whole_arm_is_complete(generator: dict[str, Any]) -> None:
 
 
 def test_those_who_met_a_mistake_met_a_known_one(generator: dict[str, Any]) -> None:
-    known = {mistake.id for mistake in CATALOGUE} | set(get_args(whole_arm.Id))
+    known = {mistake.id for mistake in MISTAKES} | set(get_args(whole_arm.Id))
     assert set(generator["MET"]) <= known
     for source in (source for sources in generator["MET"].values() for source in sources):
         thread = re.fullmatch(r"[\w.-]+/[\w.-]+#\d+", source)
-        assert thread or source in CATALOG, source
+        assert thread or source in SHIPPED_MODELS, source

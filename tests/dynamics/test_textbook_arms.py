@@ -48,8 +48,8 @@ def test_two_rods_have_the_christoffel_matrix_of_the_textbook():
 
 def test_a_slide_carries_its_weight_and_its_inertia():
     arm = SerialArm(
-        "lift",
-        (Joint("lift", np.array([0, 0, 1.0]), "prismatic"),),
+        "base_acceleration",
+        (Joint("base_acceleration", np.array([0, 0, 1.0]), "prismatic"),),
         (Link("car", Transform.identity(), Inertia(4.0, np.zeros(3), np.eye(3))),),
     )
     assert ur5check.rnea(arm, [0.2], [1.0], [3.0]) == pytest.approx([4.0 * (G + 3.0)])

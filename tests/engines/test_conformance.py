@@ -10,15 +10,15 @@ import pytest
 import ur5check
 from ur5check._engines import conformance
 from ur5check._engines.conformance_arms import URDF, handed_over, in_text
-from ur5check._engines.known_issues import remedied
-from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._engines.known_issues import repaired
+from ur5check._engines.recursion_engine import RecursionEngine
 from ur5check._engines.registry import REGISTRY, engine_class
 from ur5check._robot import Inertia, SerialArm
 
 
 def maker(key):
     made = engine_class(key)
-    return lambda arm, gravity=None: made(remedied(arm, key), gravity)
+    return lambda arm, gravity=None: made(repaired(arm, key), gravity)
 
 
 @pytest.mark.parametrize("law", conformance.LAWS, ids=lambda law: law.id)
@@ -64,7 +64,7 @@ def test_mujoco_does_not_conform_to_the_file_as_it_is():
 def spoiled_engine(spoil):
     """An engine that holds what `spoil` makes of the arm that it was given."""
 
-    class Spoiled(OwnEngine):
+    class Spoiled(RecursionEngine):
         name = "spoiled"
 
         def __init__(self, arm: SerialArm, gravity=None):
@@ -89,7 +89,7 @@ def default_mass(arm):
 
 def tool_lost(arm):
     last = arm.links[-1]
-    moved = replace(last, far_end=last.source_frame)
+    moved = replace(last, link_tip_frame=last.source_frame)
     return replace(arm, links=(*arm.links[:-1], moved))
 
 
@@ -110,7 +110,7 @@ def test_a_spoiled_import_is_caught(spoil, law):
     assert any(f"({law})" in sentence for sentence in said)
 
 
-class SwappedOrder(OwnEngine):
+class SwappedOrder(RecursionEngine):
     """Answers in the order of the file, tip first."""
 
     name = "swapped"
@@ -122,7 +122,7 @@ class SwappedOrder(OwnEngine):
         return super().gravity_torque(q)[..., ::-1]
 
 
-class Upside(OwnEngine):
+class Upside(RecursionEngine):
     """Takes gravity for an acceleration of the base."""
 
     name = "upside"
@@ -131,7 +131,7 @@ class Upside(OwnEngine):
         super().__init__(arm, -np.asarray(arm.gravity if gravity is None else gravity))
 
 
-class OneAtATime(OwnEngine):
+class OneAtATime(RecursionEngine):
     """Does not broadcast."""
 
     name = "one at a time"
@@ -142,7 +142,7 @@ class OneAtATime(OwnEngine):
         )
 
 
-class UpperTriangle(OwnEngine):
+class UpperTriangle(RecursionEngine):
     """Leaves the lower triangle empty, as `pin.crba` does."""
 
     name = "upper triangle"
@@ -167,16 +167,16 @@ def test_a_wrong_answer_is_caught(engine, law):
 
 
 def test_a_lost_joint_is_caught():
-    class Lost(OwnEngine):
+    class Lost(RecursionEngine):
         name = "lost"
 
-        def holdings(self):
-            held = super().holdings()
+        def imported_model(self):
+            held = super().imported_model()
             return replace(held, joints=held.joints[1:])
 
     assert any("(held-joints)" in sentence for sentence in conformance.violations(Lost))
 
 
 def test_our_own_side_breaks_no_law():
-    assert conformance.violations(OwnEngine) == ()
+    assert conformance.violations(RecursionEngine) == ()
     assert handed_over().source.urdf is None

@@ -17,7 +17,7 @@ def link_poses(arm: SerialArm, q: np.ndarray) -> list[Transform]:
     """Frames 1 … n in the base frame."""
     T, poses = arm.base, []
     for joint, link, qi in zip(arm.joints, arm.links, q, strict=True):
-        T = T @ joint.motion(float(qi)) @ link.far_end
+        T = T @ joint.motion(float(qi)) @ link.link_tip_frame
         poses.append(T)
     return poses
 
@@ -58,6 +58,6 @@ def assert_same_inertias(arm: SerialArm, model: Any) -> None:
         assert model.names[i] == name
         body = model.inertias[i]
         theirs = Inertia(body.mass, body.lever, body.inertia)
-        ours = link.inertia.expressed_in(link.far_end)
+        ours = link.inertia.expressed_in(link.link_tip_frame)
         scale = np.abs(theirs.parameters()).max()
         np.testing.assert_allclose(ours.parameters(), theirs.parameters(), atol=1e-14 * scale)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 
 from ur5check._errors import UsageError
-from ur5check._io.shipped_models import CATALOG, CatalogEntry, lookup, models_directory
+from ur5check._io.shipped_models import SHIPPED_MODELS, ShippedModel, lookup, models_directory
 
-each = pytest.mark.parametrize("entry", CATALOG.values(), ids=list(CATALOG))
+each = pytest.mark.parametrize("entry", SHIPPED_MODELS.values(), ids=list(SHIPPED_MODELS))
 
 
 def test_these_four_models_ship() -> None:
-    assert {entry.name: entry.kind for entry in CATALOG.values()} == {
+    assert {entry.name: entry.kind for entry in SHIPPED_MODELS.values()} == {
         "paper": "dh",
         "paper-listing": "dh",
         "appendix": "xacro",
@@ -20,8 +20,8 @@ def test_these_four_models_ship() -> None:
 
 
 @each
-def test_a_model_has_its_file_source_and_licence(entry: CatalogEntry) -> None:
-    assert CATALOG[entry.name] is entry is lookup(entry.name)
+def test_a_model_has_its_file_source_and_licence(entry: ShippedModel) -> None:
+    assert SHIPPED_MODELS[entry.name] is entry is lookup(entry.name)
     assert entry.path().is_file()
     assert entry.licence.startswith("BSD")
     assert entry.title
@@ -29,7 +29,7 @@ def test_a_model_has_its_file_source_and_licence(entry: CatalogEntry) -> None:
 
 
 @each
-def test_the_links_of_a_urdf_model_stand_in_its_file(entry: CatalogEntry) -> None:
+def test_the_links_of_a_urdf_model_stand_in_its_file(entry: ShippedModel) -> None:
     if entry.kind == "dh":
         assert entry.base is None
         assert entry.tip is None
@@ -41,7 +41,7 @@ def test_the_links_of_a_urdf_model_stand_in_its_file(entry: CatalogEntry) -> Non
 
 
 @each
-def test_the_readme_of_the_models_lists_it(entry: CatalogEntry) -> None:
+def test_the_readme_of_the_models_lists_it(entry: ShippedModel) -> None:
     assert f"| `{entry.name}` |" in (models_directory() / "README.md").read_text("utf-8")
 
 

@@ -94,13 +94,13 @@ ANGLES = [
 
 @pytest.mark.parametrize(("text", "angle"), ANGLES)
 def test_angles_are_numbers_or_fractions_of_pi(text: str, angle: float) -> None:
-    turned = changed("alpha = 0.3", f"alpha = {text}").links[1].far_end.R
+    turned = changed("alpha = 0.3", f"alpha = {text}").links[1].link_tip_frame.R
     assert turned.tolist() == Transform.rotation((1, 0, 0), angle).R.tolist()
 
 
 def test_r_stands_in_place_of_d_and_a() -> None:
-    far_end = changed("a = -0.4\n", "a = -0.4\nr = [0.4, 0, 0]\n").links[1].far_end
-    np.testing.assert_allclose(far_end.p, [0.4, 0.0, 0.0])
+    link_tip_frame = changed("a = -0.4\n", "a = -0.4\nr = [0.4, 0, 0]\n").links[1].link_tip_frame
+    np.testing.assert_allclose(link_tip_frame.p, [0.4, 0.0, 0.0])
 
 
 def test_the_modified_convention_is_read() -> None:

@@ -13,7 +13,7 @@ from robots import GOOD, robot_path
 
 from ur5check._errors import ModelError, UsageError
 from ur5check._io.loading import load
-from ur5check._io.shipped_models import CATALOG
+from ur5check._io.shipped_models import SHIPPED_MODELS
 
 XACRO = """\
 <robot name="{name}" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -26,7 +26,7 @@ XACRO = """\
 """
 
 
-@pytest.mark.parametrize("name", CATALOG)
+@pytest.mark.parametrize("name", SHIPPED_MODELS)
 def test_every_shipped_model_loads_by_name(name: str) -> None:
     arm = load(name)
     assert (arm.name, arm.n) == (name, 6)
@@ -48,7 +48,7 @@ def test_files_are_read_by_their_suffix(tmp_path: Path) -> None:
     assert load(xacro).source.kind == "xacro"
     assert load(xacro).links[0].inertia.mass == 1.5
     assert load(xacro, arguments={"m": "2.5"}).links[0].inertia.mass == 2.5
-    table = CATALOG["paper"].path()
+    table = SHIPPED_MODELS["paper"].path()
     assert load(table).source.kind == "dh"
 
 

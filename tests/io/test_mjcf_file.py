@@ -108,7 +108,7 @@ def test_gravity_switched_off_is_no_gravity(read):
 def test_a_site_may_be_the_tip(read):
     arm = read(text_of(), tip="mark")
     assert (arm.n, arm.source.tip) == (1, "mark")
-    np.testing.assert_allclose(arm.links[0].far_end.p, (0, 0, 0.3))
+    np.testing.assert_allclose(arm.links[0].link_tip_frame.p, (0, 0, 0.3))
 
 
 def test_held_joints_beside_the_chain_are_welded_as_described(read):

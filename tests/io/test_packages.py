@@ -57,8 +57,8 @@ def test_percent_signs_are_read(two_folders: PackageMap, tmp_path: Path) -> None
 def test_an_unknown_package_names_the_option_and_the_nearest_name(two_folders: PackageMap) -> None:
     with pytest.raises(ModelError) as caught:
         two_folders.find("army")
-    assert "--package army=DIR" in caught.value.remedy
-    assert "did you mean 'arm'?" in caught.value.remedy
+    assert "--package army=DIR" in caught.value.fix
+    assert "did you mean 'arm'?" in caught.value.fix
 
 
 def test_a_missing_file_says_where_it_was_looked_for(

@@ -118,7 +118,9 @@ def test_it_is_the_arm_that_the_urdf_reader_makes(name: str) -> None:
     assert theirs.joint_names == ours.joint_names
     for mine, other in zip(ours.links, theirs.links, strict=True):
         assert mine.name == other.name
-        np.testing.assert_allclose(mine.far_end.matrix(), other.far_end.matrix(), atol=1e-15)
+        np.testing.assert_allclose(
+            mine.link_tip_frame.matrix(), other.link_tip_frame.matrix(), atol=1e-15
+        )
     np.testing.assert_allclose(theirs.parameters(), ours.parameters(), atol=1e-14)
 
 

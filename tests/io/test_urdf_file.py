@@ -71,8 +71,8 @@ def test_the_small_arm_is_bracketed_and_named() -> None:
     assert [joint.kind for joint in arm.joints] == ["revolute", "prismatic"]
     assert arm.joints[0].limits == Limits(-1.5, 2.5, 3.0, 10.0)
     np.testing.assert_allclose(arm.joints[1].axis, [0.0, 0.6, 0.8], atol=1e-16)
-    assert arm.links[0].far_end.p.tolist() == [0.3, 0.0, 0.5]
-    assert arm.links[1].far_end.p.tolist() == [0.0, 0.0, 0.05]
+    assert arm.links[0].link_tip_frame.p.tolist() == [0.3, 0.0, 0.5]
+    assert arm.links[1].link_tip_frame.p.tolist() == [0.0, 0.0, 0.05]
     assert arm.links[1].inertia.com.tolist() == [0.0, 0.0, -0.05]
     assert arm.links[1].source_frame.p.tolist() == [0.0, 0.0, -0.05]
     assert (arm.source.base, arm.source.tip, arm.source.urdf) == ("base", "tool", GOOD)

@@ -83,7 +83,7 @@ def test_each_fault_is_named_with_its_line(old: str, new: str, line: int, words:
         check_urdf(spoiled(old, new), "spoiled.urdf")
     error = caught.value
     assert (error.file, error.line) == ("spoiled.urdf", line), error
-    assert error.element and error.remedy
+    assert error.element and error.fix
     for word in words:
         assert word in str(error)
 

@@ -47,7 +47,7 @@ def refusal(
 ) -> ModelError:
     with pytest.raises(ModelError) as caught:
         expand(file, arguments, packages, seconds)
-    assert caught.value.remedy
+    assert caught.value.fix
     return caught.value
 
 
@@ -144,7 +144,7 @@ def test_an_expression_may_not_reach_for_pythons_internals(tmp_path: Path, expre
     assert (error.file, error.line) == (str(file), 3)
     assert error.element == f"${{{expression}}}"
     assert "reaches for" in error.problem
-    assert "ask who wrote this file" in error.remedy
+    assert "ask who wrote this file" in error.fix
 
 
 def test_the_dictionary_of_a_class_is_out_of_reach_by_index_too(tmp_path: Path) -> None:
@@ -176,7 +176,7 @@ def test_an_include_may_not_leave_the_folders(tmp_path: Path, optional: str) -> 
     error = refusal(file)
     assert (error.file, error.line, error.element) == (str(file), 3, "<xacro:include>")
     assert "outside" in error.problem
-    assert "--package NAME=DIR" in error.remedy
+    assert "--package NAME=DIR" in error.fix
 
 
 def test_a_link_in_the_file_system_leads_nowhere_else(tmp_path: Path) -> None:
@@ -275,7 +275,7 @@ def test_an_expansion_that_is_too_large_is_refused(tmp_path: Path) -> None:
 def test_endless_recursion_is_refused(tmp_path: Path, body: str) -> None:
     error = refusal(write(tmp_path, body))
     assert "never ends" in error.problem
-    assert "xacro:if" in error.remedy
+    assert "xacro:if" in error.fix
 
 
 def test_a_circle_of_properties_is_refused(tmp_path: Path) -> None:
@@ -294,15 +294,15 @@ def test_an_unknown_argument_is_refused_with_the_nearest_one(tmp_path: Path) -> 
     file = write(tmp_path, '<xacro:arg name="limited" default="false"/>')
     error = refusal(file, {"limted": "true"})
     assert (error.file, error.value) == (str(file), "limted:=true")
-    assert error.remedy == "did you mean 'limited'?"
-    assert "choose one of: limited" in refusal(file, {"zzz": "1"}).remedy
+    assert error.fix == "did you mean 'limited'?"
+    assert "choose one of: limited" in refusal(file, {"zzz": "1"}).fix
 
 
 def test_an_argument_without_a_value_is_refused(tmp_path: Path) -> None:
     error = refusal(write(tmp_path, '<a b="$(arg side)"/>'))
     assert error.problem == "argument 'side' has no value"
     assert (error.line, error.element) == (2, "$(arg side)")
-    assert "pass a value" in error.remedy
+    assert "pass a value" in error.fix
 
 
 def test_an_argument_declared_without_a_default_is_refused(tmp_path: Path) -> None:
@@ -316,8 +316,8 @@ def test_an_unknown_package_is_refused_with_the_option(tmp_path: Path) -> None:
     error = refusal(file, packages=packages)
     assert (error.file, error.line) == (str(file), 2)
     assert error.element == "$(find ur_descripton)"
-    assert "--package ur_descripton=DIR" in error.remedy
-    assert "did you mean 'ur_description'?" in error.remedy
+    assert "--package ur_descripton=DIR" in error.fix
+    assert "did you mean 'ur_description'?" in error.fix
 
 
 def test_a_missing_include_is_refused(tmp_path: Path) -> None:
@@ -334,7 +334,7 @@ def test_an_undefined_property_is_refused_with_the_nearest_one(tmp_path: Path) -
     error = refusal(file)
     assert (error.file, error.line, error.element) == (str(file), 3, "${2 * lenght}")
     assert "name 'lenght' is not defined" in error.problem
-    assert "did you mean 'length'?" in error.remedy
+    assert "did you mean 'length'?" in error.fix
 
 
 def test_a_mistake_in_a_macro_is_found_in_the_file_that_defines_it(tmp_path: Path) -> None:

@@ -51,7 +51,7 @@ def test_an_empty_file_is_refused(data: bytes) -> None:
 def test_another_encoding_is_refused_by_name(data: bytes, name: str) -> None:
     error = refusal(data)
     assert name in error.problem
-    assert "UTF-8 without a byte order mark" in error.remedy
+    assert "UTF-8 without a byte order mark" in error.fix
 
 
 def test_a_declared_encoding_other_than_utf_8_is_refused() -> None:

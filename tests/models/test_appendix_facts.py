@@ -9,7 +9,7 @@ from math import pi
 import pytest
 
 from ur5check._io.ros_packages import default_packages
-from ur5check._io.shipped_models import CATALOG
+from ur5check._io.shipped_models import SHIPPED_MODELS
 from ur5check._io.xacro.xacro_reader import Expansion, expand_xacro
 
 Element = ElementTree.Element
@@ -84,7 +84,7 @@ UNUSED = {
 
 @cache
 def expansion(**arguments: str) -> Expansion:
-    path = CATALOG["appendix"].path()
+    path = SHIPPED_MODELS["appendix"].path()
     return expand_xacro(path, arguments=arguments, packages=default_packages())
 
 
@@ -155,7 +155,7 @@ def test_a_link_is_drawn_by_its_meshes_which_exist(name: str) -> None:
     for use, ending in (("visual", "dae"), ("collision", "stl")):
         uri = child(link, f"{use}/geometry/mesh").get("filename")
         assert uri == f"package://ur_description/meshes/ur5/{use}/{mesh}.{ending}"
-        assert default_packages().resolve(uri, CATALOG["appendix"].path().parent).is_file()
+        assert default_packages().resolve(uri, SHIPPED_MODELS["appendix"].path().parent).is_file()
     material = child(link, "visual/material")
     assert material.get("name") == "LightGrey"
     assert numbers(child(material, "color").get("rgba")) == (0.7, 0.7, 0.7, 1.0)
@@ -252,7 +252,7 @@ def test_a_prefix_changes_every_name_and_nothing_else() -> None:
 
 @pytest.mark.parametrize("name", UNUSED)
 def test_numbers_that_nothing_uses_are_kept(name: str) -> None:
-    macros = CATALOG["appendix"].path().with_name("ur5.urdf.xacro")
+    macros = SHIPPED_MODELS["appendix"].path().with_name("ur5.urdf.xacro")
     tag = "{http://wiki.ros.org/xacro}property"
     found = [
         e.get("value")

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from ur5check._io.shipped_models import CATALOG
+from ur5check._io.shipped_models import SHIPPED_MODELS
 
 JOINTS = ["base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"]
 LINKS = [f"link {i}" for i in range(1, 7)]
@@ -42,7 +42,7 @@ both = pytest.mark.parametrize("name", ["paper", "paper-listing"])
 
 
 def table(name: str) -> dict[str, Any]:
-    return tomllib.loads(CATALOG[name].path().read_text("utf-8"))
+    return tomllib.loads(SHIPPED_MODELS[name].path().read_text("utf-8"))
 
 
 def column(name: str, key: str) -> list[Any]:
@@ -55,7 +55,7 @@ def test_the_file_says_what_it_is(name: str) -> None:
     assert file["schema"] == "ur5check.dh/1"
     assert file["name"] == name
     assert file["convention"] == "standard"
-    assert file["title"] == CATALOG[name].title.replace("α", "alpha")
+    assert file["title"] == SHIPPED_MODELS[name].title.replace("α", "alpha")
 
 
 @both

@@ -18,7 +18,7 @@ EXPECTED = {
     "01-paper-against-appendix": (
         2,
         (
-            "74 % above that of the mended tables",
+            "74 % above that of the repaired tables",
             "turned by 180° about z",
             "explained to better than 1e-9 N m: True",
         ),
@@ -38,7 +38,7 @@ EXPECTED = {
             "claims on a shape: 6; all hold as printed: True",
             "as printed, 74 % too large and turned round: True",
             "eight arms of nonsense, all sines: True",
-            "with these mended, every case is Table 1's: True",
+            "with these repaired, every case is Table 1's: True",
             "pushed the wrong way: True",
             "m((3r)² + l²)·0.08333",
         ),
@@ -61,15 +61,15 @@ EXPECTED = {
             "each at its order: True",
             "at step zero within 1e-6 rad: True",
             "eqs (22), (23) as printed pole +38.37 / s lost after 0.44 s",
-            "mended tables, the right model nothing: True",
+            "repaired tables, the right model nothing: True",
         ),
     ),
-    "06-referees": (
+    "06-engines": (
         2,
         (
             "ur5check, Pinocchio, Drake and iDynTree hold the same robot",
             "DART has added 2 kg",
-            "with the remedies within 1e-10 N m: True",
+            "with the fixes within 1e-10 N m: True",
             "all explained: True",
             "16.1 N m too much, 28%",
         ),

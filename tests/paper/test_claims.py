@@ -224,8 +224,10 @@ def moved_centre(arm: SerialArm, link: int, com: tuple[float, float, float]) -> 
 
 def with_reach(arm: SerialArm, link: int, longer: float) -> SerialArm:
     links = list(arm.links)
-    P = links[link - 1].far_end
-    links[link - 1] = replace(links[link - 1], far_end=Transform(P.R, P.p + [0.0, 0.0, longer]))
+    P = links[link - 1].link_tip_frame
+    links[link - 1] = replace(
+        links[link - 1], link_tip_frame=Transform(P.R, P.p + [0.0, 0.0, longer])
+    )
     return replace(arm, links=tuple(links))
 
 

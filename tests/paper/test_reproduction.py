@@ -1,4 +1,4 @@
-"""What came of the paper: verdicts, slips, sentences, and the agreement all of it rests on."""
+"""What came of the paper: verdicts, mistakes, sentences, and the agreement all of it rests on."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ur5check._paper.claims import CLAIMS, OF_CASES, OF_NUMBERS
 from ur5check._paper.evidence import Evidence
 from ur5check._paper.paper_models import PINOCCHIO, PRINTED, REPAIRED
 from ur5check._paper.reproduction import Reproduction, judge
-from ur5check._reports.paper_summary import headline, headline_of_all, summary, tell
+from ur5check._reports.paper_summary import headline, headline_of_all, summarize, summary
 
 VERDICTS = {
     "vectors": "confirmed after repair",
@@ -91,12 +91,12 @@ def test_case_2_is_over_half_too_large_and_case_9_of_the_wrong_sign(
 
 
 def test_the_listings_own_slips_explain_all_of_it(reproduction: Reproduction) -> None:
-    found = {finding.id: finding.links for finding in reproduction.slips.findings}
+    found = {finding.id: finding.links for finding in reproduction.listing_mistakes.findings}
     assert found["reach-sign"] == (2, 3, 5)
     assert found["turn-rounded"] == (1, 4, 5)
     for effect in reproduction.effects:
         assert effect.left <= 1e-12
-        assert effect.mended == pytest.approx(effect.table, abs=1e-12)
+        assert effect.repaired == pytest.approx(effect.table, abs=1e-12)
 
 
 def test_the_phase_shows_where_the_arm_is_level(reproduction: Reproduction) -> None:
@@ -112,7 +112,7 @@ def test_the_phase_shows_where_the_arm_is_level(reproduction: Reproduction) -> N
 
 def test_the_story_says_what_was_measured(reproduction: Reproduction) -> None:
     assert summary(reproduction).startswith("of 22 claims of the paper, 12 are confirmed, 6 only")
-    told = " ".join(tell(reproduction))
+    told = " ".join(summarize(reproduction))
     assert "asks joint 2 for 94.4 N m, 74 % more than the 54.1 N m" in told
     assert "+65.9 N m for −38.4 N m: the wrong sign" in told
     assert "0 of 6 printed inertia tensors follow eq. 3" in told
@@ -132,7 +132,7 @@ def test_headlines_follow_the_curves(reproduction: Reproduction, evidence: Evide
         "As printed, 6 of 6 claims on a curve's shape hold, and 5 of 9 torques are wrong"
     )
 
-    def mend(run: Run) -> Run:
+    def repair(run: Run) -> Run:
         """The listing, had it been right."""
         if run.model.name != PRINTED:
             return run
@@ -144,11 +144,11 @@ def test_headlines_follow_the_curves(reproduction: Reproduction, evidence: Evide
             return run
         return with_curve(run, 100.0 + run.watched**2)
 
-    mended = judge(replace(evidence, runs=tuple(map(mend, evidence.runs))), OF_CASES)
-    assert headline(mended, 2) == "As expected; the appendix asks for 7 % more"
-    assert headline(mended, 9) == "The torques as printed hold the arm"
-    assert headline_of_all(mended).endswith("and 0 of 9 torques are wrong")
+    repaired = judge(replace(evidence, runs=tuple(map(repair, evidence.runs))), OF_CASES)
+    assert headline(repaired, 2) == "As expected; the appendix asks for 7 % more"
+    assert headline(repaired, 9) == "The torques as printed hold the arm"
+    assert headline_of_all(repaired).endswith("and 0 of 9 torques are wrong")
     bent = judge(replace(evidence, runs=tuple(map(bend, evidence.runs))), OF_CASES)
     assert headline(bent, 1).startswith("No sine; as printed")
     assert headline(bent, 4).startswith("Not zero; as printed")
-    assert any(line.startswith("Of 6 claims on the shape of a curve,") for line in tell(bent))
+    assert any(line.startswith("Of 6 claims on the shape of a curve,") for line in summarize(bent))

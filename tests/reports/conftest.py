@@ -21,7 +21,7 @@ def validation() -> Validation:
 
 @pytest.fixture(scope="session")
 def failing() -> Validation:
-    """A referee that holds another arm's bodies: some laws must fail, others cannot."""
+    """A reference engine that holds another arm's bodies: some laws must fail, others cannot."""
     arm = ur5check.load("paper")
     heavier = arm.with_inertias([link.inertia for link in reversed(arm.links)])
     states = random_states(arm.n, SAMPLES, 0)

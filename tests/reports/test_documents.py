@@ -118,7 +118,7 @@ def test_reversed_and_shifted_joints_are_named() -> None:
     arm = ur5check.load("appendix")
     joints, links = list(arm.joints), list(arm.links)
     joints[2] = replace(joints[2], axis=-joints[2].axis)
-    links[1] = replace(links[1], far_end=joints[1].motion(0.25) @ links[1].far_end)
+    links[1] = replace(links[1], link_tip_frame=joints[1].motion(0.25) @ links[1].link_tip_frame)
     other = replace(arm, name="other", joints=tuple(joints), links=tuple(links))
     document = difference_document(compare(arm, other, random_states(6, 50, 0), 0))
     assert document.verdict is not None

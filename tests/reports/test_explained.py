@@ -92,10 +92,10 @@ def test_what_nothing_explains_is_said(document: Document, explanation: Explanat
 
 
 def test_owners_are_ranked_by_weight(document: Document) -> None:
-    owners = table(section(document, "Whose newton metres"), "Whose it is")
-    weights = [float(cell) for cell in column(owners, "weight [%]")]
+    contributions = table(section(document, "Whose newton metres"), "Whose it is")
+    weights = [float(cell) for cell in column(contributions, "weight [%]")]
     assert weights == sorted(weights, reverse=True)
-    assert "-0.0" not in column(owners, "share [%]")
+    assert "-0.0" not in column(contributions, "share [%]")
 
 
 def test_owners_that_cancel_are_said_to() -> None:
@@ -105,9 +105,9 @@ def test_owners_that_cancel_are_said_to() -> None:
     """
     arm = ur5check.load("appendix")
     inertias = [link.inertia for link in arm.links]
-    at_joint = inertias[1].expressed_in(arm.links[1].far_end)
+    at_joint = inertias[1].expressed_in(arm.links[1].link_tip_frame)
     heavy = replace(at_joint, mass=2.0 * at_joint.mass, com=0.5 * at_joint.com)
-    inertias[1] = heavy.expressed_in(arm.links[1].far_end.inverse())
+    inertias[1] = heavy.expressed_in(arm.links[1].link_tip_frame.inverse())
     d = ur5check.diff(arm, arm.with_inertias(inertias), samples=200)
     assert d.attribution.cancels
     lines = section(difference_document(d), "Whose newton metres").lines

@@ -68,7 +68,7 @@ def test_failure(failing: Validation) -> None:
 def test_difference_keeps_every_digit(difference: Difference) -> None:
     report = read_back(difference_json(difference))
     assert [row["max"] for row in report["torques"]] == difference.torques.maximum.tolist()
-    shares = [owner["share"] for owner in report["account"]["owners"]]
+    shares = [contribution["share"] for contribution in report["account"]["contributions"]]
     assert sum(shares) == pytest.approx(1.0)
     limits = [row["effort_limit"] for row in report["torques"]]
     assert limits == [None if math.isnan(x) else x for x in difference.torques.effort]
@@ -111,9 +111,9 @@ def test_the_explanation_comes_whole(explanation: Explanation) -> None:
 
 def test_owners_and_terms_add_up(explanation: Explanation) -> None:
     report = read_back(difference_json(explanation.difference, explanation))
-    owners = report["attribution"]
-    assert sum(owner["weight"] for owner in owners) == pytest.approx(1.0)
-    assert sum(owner["share"] for owner in owners) == pytest.approx(1.0)
+    contributions = report["attribution"]
+    assert sum(contribution["weight"] for contribution in contributions) == pytest.approx(1.0)
+    assert sum(contribution["share"] for contribution in contributions) == pytest.approx(1.0)
     # Of three parts, none can be more than the whole and the two others.
     whole = np.array(report["error_budget"]["total"])
     gravity, coriolis, inertial = (np.array(part) for part in report["terms"].values())
@@ -166,7 +166,9 @@ def test_parameters_on_demand(difference: Difference) -> None:
     parameters = by_parameter(difference.pair, difference.states)
     report = read_back(difference_json(difference, parameters=parameters))
     assert len(report["by_parameter"]) == 63
-    assert sum(owner["share"] for owner in report["by_parameter"]) == pytest.approx(1.0)
+    assert sum(contribution["share"] for contribution in report["by_parameter"]) == pytest.approx(
+        1.0
+    )
 
 
 @pytest.mark.parametrize("name", ["paper", "appendix"])

@@ -75,7 +75,7 @@ def test_a_modified_row_holds_its_inertia_in_its_own_frame():
 def test_r_stands_in_place_of_d_and_a():
     arm = arm_from_dh("a", rows(r=np.array([0.5, 0.0, 0.0])))
     np.testing.assert_allclose(
-        arm.links[0].far_end.R.T @ arm.links[0].far_end.p, [0.5, 0, 0], atol=1e-15
+        arm.links[0].link_tip_frame.R.T @ arm.links[0].link_tip_frame.p, [0.5, 0, 0], atol=1e-15
     )
 
 

@@ -31,11 +31,16 @@ def box_tensor(mass=MASS, size=SIZE):
 VOLUME = float(SIZE.prod())
 
 
-def findings_of(inertia, *, volume=VOLUME, closed=True, far_end=None, shape=True):
+def findings_of(inertia, *, volume=VOLUME, closed=True, link_tip_frame=None, shape=True):
     """One link, 0.5 m long along z, with a box round it."""
-    far_end = far_end or Transform.translation((0.0, 0.0, 0.5))
+    link_tip_frame = link_tip_frame or Transform.translation((0.0, 0.0, 0.5))
     # The numbers are given, and the box stands, at the link's near end.
-    link = Link("bar", far_end, inertia.expressed_in(far_end.inverse()), far_end.inverse())
+    link = Link(
+        "bar",
+        link_tip_frame,
+        inertia.expressed_in(link_tip_frame.inverse()),
+        link_tip_frame.inverse(),
+    )
     arm = SerialArm("arm", (Joint("j", np.array([0.0, 1.0, 0.0])),), (link,))
     box = Shape("collision", "box", CORNERS + (0, 0, 0.25), volume, closed)
     return plausibility(arm, Meshes(((box,) if shape else (),)))
@@ -56,7 +61,7 @@ def test_an_honest_body_has_no_finding(shape):
 @pytest.mark.parametrize("shape", [True, False])
 def test_the_frame_of_the_numbers_does_not_matter(shape):
     turned = Transform.from_rpy((0.3, 0.0, 0.4), (0.3, -1.0, 2.0))
-    assert findings_of(HONEST, far_end=turned, shape=shape) == ()
+    assert findings_of(HONEST, link_tip_frame=turned, shape=shape) == ()
 
 
 @pytest.mark.parametrize(
@@ -133,7 +138,7 @@ def test_what_no_body_has(mass, moments, severity, quantity):
 )
 def test_without_a_mesh_the_reach_must_do(fault, quantity):
     end = Transform.translation((0.0, 0.0, 0.5)) @ Transform.from_rpy((0, 0, 0), (0.4, 1.0, -2.0))
-    found = findings_of(replace(HONEST, **fault), far_end=end, shape=False)
+    found = findings_of(replace(HONEST, **fault), link_tip_frame=end, shape=False)
     assert kinds(found) == [("suspicious", quantity)]
 
 

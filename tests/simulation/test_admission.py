@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from moving_arms import APPENDIX, CASE_9
 
-from ur5check._engines.known_issues import remedied
+from ur5check._engines.known_issues import repaired
 from ur5check._engines.registry import make_engine
 from ur5check._errors import EngineError, UsageError
 from ur5check._simulation.acceleration import acceleration_of
 from ur5check._simulation.free_motion import integrated, stepped
-from ur5check._simulation.require_same_model import STEPPERS, admit, turn_away_strangers
+from ur5check._simulation.require_same_model import STEPPERS, admit, require_same_model
 from ur5check._simulation.torque_sources import Held
 
 engines = pytest.mark.parametrize("key", STEPPERS)
@@ -20,7 +20,7 @@ engines = pytest.mark.parametrize("key", STEPPERS)
 @engines
 def test_hidden_masses_are_turned_away(key):
     with pytest.raises(EngineError, match=r"holds another arm than 'appendix'.*ee_link"):
-        turn_away_strangers(make_engine(key, APPENDIX), APPENDIX)
+        require_same_model(make_engine(key, APPENDIX), APPENDIX)
 
 
 @engines
@@ -28,15 +28,15 @@ def test_an_engine_with_a_heavier_arm_is_turned_away(key):
     link = APPENDIX.links[1].inertia
     other = [link.inertia for link in APPENDIX.links]
     other[1] = type(link)(link.mass * (1 + 1e-6), link.com, link.tensor)
-    engine = make_engine(key, remedied(APPENDIX, key))
+    engine = make_engine(key, repaired(APPENDIX, key))
     with pytest.raises(EngineError, match=r"upper_arm_link.*8\.393 kg, where .* 8\.39301 kg"):
-        turn_away_strangers(engine, APPENDIX.with_inertias(other))
+        require_same_model(engine, APPENDIX.with_inertias(other))
 
 
 @engines
 def test_after_its_remedies_an_engine_accelerates_the_arm_as_we_do(key):
     admitted = admit(key, APPENDIX)
-    assert any("ee_link" in line for line in admitted.mended)
+    assert any("ee_link" in line for line in admitted.repaired)
     state = CASE_9, np.array([0.3, -0.2, 0.5, 1.0, -1.0, 2.0]), np.arange(6.0)
     ours = acceleration_of(APPENDIX)(*state)
     np.testing.assert_allclose(admitted.engine.forward_dynamics(*state), ours, rtol=1e-10)

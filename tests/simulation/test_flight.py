@@ -13,7 +13,7 @@ from ur5check._robot import Inertia
 from ur5check._simulation.acceleration import acceleration_of
 from ur5check._simulation.free_motion import integrated
 from ur5check._simulation.integration import REFERENCE, WORKING, integrate
-from ur5check._simulation.joint_range import travel_of
+from ur5check._simulation.joint_range import joint_range_of
 from ur5check._simulation.motion_result import energy_balance
 from ur5check._simulation.torque_sources import Held, Recomputed
 
@@ -83,7 +83,7 @@ def test_motion_ends_at_the_limit_and_not_a_step_later():
     start = np.zeros(1)
     motion = integrated(
         arm, Held(np.array([1.0])), start, start, np.linspace(0.0, 1.0, 5),
-        travel=travel_of(arm, start),
+        joint_range=joint_range_of(arm, start),
     )  # fmt: skip
     assert motion.stopped
     assert motion.t[-1] == pytest.approx(0.5)  # ½ · 2 · t² = ¼
@@ -91,14 +91,14 @@ def test_motion_ends_at_the_limit_and_not_a_step_later():
 
 
 def test_without_limits_an_arm_is_followed_for_a_full_turn():
-    travel = travel_of(pendulum(), np.array([1.0]))
-    assert travel.upper - travel.lower == pytest.approx(4.0 * np.pi)
-    assert travel.room(np.array([1.0 + 2.0 * np.pi + 1e-6])) < 0.0
+    joint_range = joint_range_of(pendulum(), np.array([1.0]))
+    assert joint_range.upper - joint_range.lower == pytest.approx(4.0 * np.pi)
+    assert joint_range.margin(np.array([1.0 + 2.0 * np.pi + 1e-6])) < 0.0
 
 
 def test_a_start_beyond_a_limit_is_refused():
     with pytest.raises(UsageError, match=r"'pivot'.*starts at 1 rad.*limits -6.283 and 0.5"):
-        travel_of(pendulum(upper=0.5, lower=-2 * np.pi), np.array([1.0]))
+        joint_range_of(pendulum(upper=0.5, lower=-2 * np.pi), np.array([1.0]))
 
 
 def test_a_state_that_runs_away_is_said():

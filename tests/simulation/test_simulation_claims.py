@@ -6,12 +6,12 @@ import pytest
 from moving_arms import APPENDIX, CASE_9
 
 import ur5check
-from ur5check._paper.simulation_claims import clear_trial, standing_trial
+from ur5check._paper.simulation_claims import clear_trial, static_hold_trial
 
 
 @pytest.mark.parametrize(("name", "stands"), [("appendix", True), ("paper", False)])
 def test_the_arm_stands_under_its_own_torques_only(name, stands):
-    trial = standing_trial(name, "printed", APPENDIX, ur5check.load(name))
+    trial = static_hold_trial(name, "printed", APPENDIX, ur5check.load(name))
     assert trial.holds is stands
     assert (trial.value <= 0.1) is stands
     assert ("needs" in trial.why) is not stands
@@ -19,7 +19,7 @@ def test_the_arm_stands_under_its_own_torques_only(name, stands):
 
 def test_the_printed_tables_arm_would_stand_under_its_own():
     paper = ur5check.load("paper")
-    assert standing_trial("paper", "printed", paper, paper).holds
+    assert static_hold_trial("paper", "printed", paper, paper).holds
 
 
 def test_the_posture_of_test_9_reaches_below_the_ground():

@@ -18,7 +18,7 @@ from ur5check._cli.main import main
 from ur5check._paper.figures.convergence_figure import draw_convergence
 from ur5check._paper.figures.figure_files import as_svg
 from ur5check._simulation.convergence import Convergence, Refinement
-from ur5check._simulation.joint_range import travel_of
+from ur5check._simulation.joint_range import joint_range_of
 from ur5check._simulation.static_hold import stand
 
 DOCS = REPOSITORY / "docs"
@@ -65,7 +65,7 @@ def test_the_table_of_test_9_is_a_run(row):
         assert after == "5 s, drift below 0.001 mm"  # rounding, grown for 18 times 0.28 s
         assert 1e3 * s.tool_drift.max() < 0.001
     else:
-        joint = travel_of(APPENDIX, CASE_9).first_out(s.motion.q[-1]) + 1
+        joint = joint_range_of(APPENDIX, CASE_9).first_out(s.motion.q[-1]) + 1
         assert after == f"{s.motion.t[-1]:.2f} s joint {joint} meets its limit"
     assert f"by a factor e every {1.0 / s.growth:.2f} s" in PAGE
 

@@ -9,7 +9,7 @@ from scipy.linalg import eigh
 
 import ur5check
 from ur5check._errors import StateError, UsageError
-from ur5check._reports.simulation_summary import reason, tell, verdict
+from ur5check._reports.simulation_summary import reason, summarize, verdict
 from ur5check._simulation.equilibrium import gravity_stiffness, growth_rate
 from ur5check._simulation.free_motion import integrated
 from ur5check._simulation.integration import REFERENCE
@@ -80,12 +80,12 @@ def test_simulation_ends_at_a_joint_limit():
     s = stand(APPENDIX, ur5check.load("paper"), CASE_9, engine="mujoco")
     assert s.motion.stopped
     assert s.motion.t[-1] < 0.5
-    assert any("reached its limit" in line for line in tell(s))
+    assert any("reached its limit" in line for line in summarize(s))
 
 
 def test_the_threshold_is_the_tool_at_full_reach():
     s = stand(APPENDIX, APPENDIX, CASE_9, seconds=0.01)
-    length = sum(np.linalg.norm(link.far_end.p) for link in APPENDIX.links)
+    length = sum(np.linalg.norm(link.link_tip_frame.p) for link in APPENDIX.links)
     assert s.still_angle * length == pytest.approx(STILL)
     assert "0.1 mm" in reason(s)
 
@@ -93,10 +93,12 @@ def test_the_threshold_is_the_tool_at_full_reach():
 def test_the_story_says_what_happened():
     fallen = stand(APPENDIX, ur5check.load("paper-listing"), CASE_9, seconds=0.2)
     assert verdict(fallen).startswith("appendix moves under the torques that hold paper-listing")
-    assert any("+65.92 N m where it needs −40.39 N m, the wrong sign" in x for x in tell(fallen))
+    assert any(
+        "+65.92 N m where it needs −40.39 N m, the wrong sign" in x for x in summarize(fallen)
+    )
     still = stand(APPENDIX, APPENDIX, CASE_9, seconds=0.1)
     assert verdict(still).startswith("appendix stands for 0.1 s")
-    assert any("to the last digits" in line for line in tell(still))
+    assert any("to the last digits" in line for line in summarize(still))
 
 
 def test_energy_errors_tell_integrators_apart():

@@ -12,8 +12,8 @@ from distributed import Client, LocalCluster
 
 from ur5check._errors import StateError, UsageError
 from ur5check._sweep import dask_cluster as cluster
-from ur5check._sweep import progress as journal
-from ur5check._sweep.checkpoint import tally_value
+from ur5check._sweep import progress as sweep_progress
+from ur5check._sweep.checkpoint import statistics_value
 from ur5check._sweep.state_sample import BLOCK
 from ur5check._sweep.sweep import sweep
 
@@ -41,7 +41,7 @@ def pids(local) -> set[int]:
 def test_a_worker_killed_in_the_middle_changes_nothing(
     workers, paper, appendix, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr(journal, "_SAY_EVERY", 0.0)
+    monkeypatch.setattr(sweep_progress, "_SAY_EVERY", 0.0)
     before = pids(workers)
     killed: list[int] = []
 
@@ -51,7 +51,7 @@ def test_a_worker_killed_in_the_middle_changes_nothing(
             killed.append(min(before))
             os.kill(killed[0], signal.SIGKILL)
 
-    options = {"states": STATES, "seed": 3, "over": 1.0}
+    options = {"states": STATES, "seed": 3, "tolerance": 1.0}
     found = sweep(
         paper,
         appendix,
@@ -63,7 +63,7 @@ def test_a_worker_killed_in_the_middle_changes_nothing(
     )
     assert killed
     alone = sweep(paper, appendix, **options)
-    assert tally_value(found.tally) == tally_value(alone.tally)
+    assert statistics_value(found.statistics) == statistics_value(alone.statistics)
     assert killed[0] not in pids(workers)
 
 
@@ -79,11 +79,11 @@ def test_a_cluster_goes_on_from_what_threads_began(workers, paper, appendix, tmp
         raise EnoughError
 
     with pytest.MonkeyPatch.context() as patch, pytest.raises(EnoughError):
-        patch.setattr(journal, "_SAY_EVERY", 0.0)
+        patch.setattr(sweep_progress, "_SAY_EVERY", 0.0)
         sweep(paper, appendix, **options, batch=5, progress=stop)
     found = sweep(paper, appendix, **options, scheduler=workers.scheduler_address, batch=2)
     alone = sweep(paper, appendix, states=12 * BLOCK)
-    assert tally_value(found.tally) == tally_value(alone.tally)
+    assert statistics_value(found.statistics) == statistics_value(alone.statistics)
 
 
 def test_an_error_on_a_worker_is_the_error_here(workers, paper, appendix, tmp_path):

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from ur5check._errors import UsageError
-from ur5check._sweep import progress as journal
-from ur5check._sweep.checkpoint import tally_value
+from ur5check._sweep import progress as sweep_progress
+from ur5check._sweep.checkpoint import statistics_value
 from ur5check._sweep.executor import threads
 from ur5check._sweep.state_sample import BLOCK
 from ur5check._sweep.statistics import merged
@@ -24,45 +24,45 @@ STATES = 6 * BLOCK + 100
 
 
 def digits(found) -> dict:
-    return tally_value(found.tally)
+    return statistics_value(found.statistics)
 
 
 @pytest.fixture(scope="module")
 def whole(paper, appendix):
-    return sweep(paper, appendix, states=STATES, seed=11, over=1.0)
+    return sweep(paper, appendix, states=STATES, seed=11, tolerance=1.0)
 
 
 @pytest.mark.parametrize("options", [{"threads": 2, "batch": 1}, {"threads": 3}, {"batch": 4}])
 def test_no_digit_depends_on_how_the_work_is_shared(paper, appendix, whole, options):
-    shared = sweep(paper, appendix, states=STATES, seed=11, over=1.0, **options)
+    shared = sweep(paper, appendix, states=STATES, seed=11, tolerance=1.0, **options)
     assert digits(shared) == digits(whole)
 
 
 def test_merging_is_the_same_in_any_order_and_grouping(whole):
-    tallies = [whole.plan.tally(k, k + 1) for k in range(whole.plan.blocks)]
-    mixed = [tallies[k] for k in (3, 6, 0, 5, 1, 4, 2)]
+    parts = [whole.plan.statistics(k, k + 1) for k in range(whole.plan.blocks)]
+    mixed = [parts[k] for k in (3, 6, 0, 5, 1, 4, 2)]
     halves = [merged(mixed[:2]), merged(mixed[2:])]
-    assert tally_value(merged(halves)) == digits(whole)
+    assert statistics_value(merged(halves)) == digits(whole)
 
 
 def test_merging_changes_none_of_the_parts(whole):
-    parts = [whole.plan.tally(k, k + 1) for k in range(3)]
-    before = [tally_value(part) for part in parts]
+    parts = [whole.plan.statistics(k, k + 1) for k in range(3)]
+    before = [statistics_value(part) for part in parts]
     merged(parts)
     parts[0].merge(parts[1])
-    assert [tally_value(part) for part in parts] == before
+    assert [statistics_value(part) for part in parts] == before
 
 
 def test_of_equal_maxima_the_earlier_state_is_kept(whole):
-    tally = whole.plan.tally(0, 1)
-    later = whole.plan.tally(0, 1)
-    object.__setattr__(later, "worst", tally.worst + BLOCK)
-    for both in (tally.merge(later), later.merge(tally)):
-        assert (both.worst == tally.worst).all()
+    statistics = whole.plan.statistics(0, 1)
+    later = whole.plan.statistics(0, 1)
+    object.__setattr__(later, "worst", statistics.worst + BLOCK)
+    for both in (statistics.merge(later), later.merge(statistics)):
+        assert (both.worst == statistics.worst).all()
 
 
 def test_another_seed_gives_other_digits(paper, appendix, whole):
-    other = sweep(paper, appendix, states=STATES, seed=12, over=1.0)
+    other = sweep(paper, appendix, states=STATES, seed=12, tolerance=1.0)
     assert digits(other) != digits(whole)
 
 
@@ -74,7 +74,7 @@ class PulledPlugError(Exception):
 def test_an_interrupted_sweep_goes_on_to_the_same_digits(
     paper, appendix, whole, tmp_path, monkeypatch, how
 ):
-    monkeypatch.setattr(journal, "_SAY_EVERY", 0.0)
+    monkeypatch.setattr(sweep_progress, "_SAY_EVERY", 0.0)
     file = tmp_path / "kept.json"
     said: list[str] = []
 
@@ -83,7 +83,14 @@ def test_an_interrupted_sweep_goes_on_to_the_same_digits(
         if len(said) == 3:
             raise PulledPlugError
 
-    options = {"states": STATES, "seed": 11, "over": 1.0, "batch": 1, "checkpoint": file, **how}
+    options = {
+        "states": STATES,
+        "seed": 11,
+        "tolerance": 1.0,
+        "batch": 1,
+        "checkpoint": file,
+        **how,
+    }
     with pytest.raises(PulledPlugError):
         sweep(paper, appendix, **options, progress=pull)
     assert json.loads(file.read_text())["blocks"] == 3
@@ -109,8 +116,8 @@ def test_a_killed_process_loses_only_what_is_not_on_disk(paper, appendix, tmp_pa
     process.wait()
     kept = json.loads(file.read_text())
     assert kept["blocks"] < 15 * 6
-    long = sweep(paper, appendix, states=kept["blocks"] * BLOCK, seed=11, over=1.0)
-    assert kept["tally"] == digits(long)
+    long = sweep(paper, appendix, states=kept["blocks"] * BLOCK, seed=11, tolerance=1.0)
+    assert kept["statistics"] == digits(long)
 
 
 def change(file: Path, **values) -> None:
@@ -123,7 +130,7 @@ def change(file: Path, **values) -> None:
     [
         ({"seed": 12}, "sample"),
         ({"states": STATES + 1}, "states"),
-        ({"over": 2.0}, "limit"),
+        ({"tolerance": 2.0}, "limit"),
         ({"gravity": (0, 0, -1.6)}, "model A, model B"),
         ({"sample": "sobol"}, "sample"),
         ({"within_limits": True}, "sample"),
@@ -131,7 +138,7 @@ def change(file: Path, **values) -> None:
 )
 def test_the_checkpoint_of_another_sweep_is_refused(paper, appendix, tmp_path, options, named):
     file = tmp_path / "kept.json"
-    given = {"states": STATES, "seed": 11, "over": 1.0, "checkpoint": file}
+    given = {"states": STATES, "seed": 11, "tolerance": 1.0, "checkpoint": file}
     sweep(paper, appendix, **{**given, "states": BLOCK})
     before = file.read_bytes()
     if "states" not in options:
@@ -166,7 +173,7 @@ def test_a_truncated_checkpoint_is_refused(paper, appendix, tmp_path):
     file = tmp_path / "kept.json"
     sweep(paper, appendix, states=100, checkpoint=file)
     value = json.loads(file.read_text())
-    del value["tally"]["worst"]
+    del value["statistics"]["worst"]
     file.write_text(json.dumps(value))
     with pytest.raises(UsageError, match="is no checkpoint"):
         sweep(paper, appendix, states=100, checkpoint=file)
@@ -183,7 +190,7 @@ def test_an_error_in_a_block_ends_the_sweep(whole, count):
         raise PulledPlugError
 
     class Broken:
-        tally = staticmethod(broken)
+        statistics = staticmethod(broken)
         blocks = 2
 
     with pytest.raises(PulledPlugError):
@@ -191,6 +198,6 @@ def test_an_error_in_a_block_ends_the_sweep(whole, count):
 
 
 def test_digits_would_show_a_lost_block(whole):
-    """The comparison above can fail: one block less is another tally."""
-    assert tally_value(whole.plan.tally(0, whole.plan.blocks - 1)) != digits(whole)
+    """The comparison above can fail: one block less is another statistics."""
+    assert statistics_value(whole.plan.statistics(0, whole.plan.blocks - 1)) != digits(whole)
     assert np.isfinite(whole.rms).all()

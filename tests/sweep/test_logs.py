@@ -13,7 +13,7 @@ from pyarrow import parquet
 
 from ur5check._errors import StateError, UsageError
 from ur5check._robot.states import States, random_states
-from ur5check._sweep.checkpoint import tally_value
+from ur5check._sweep.checkpoint import statistics_value
 from ur5check._sweep.csv_log import open_csv
 from ur5check._sweep.state_log import log_sample
 from ur5check._sweep.state_sample import BLOCK, blocks_of
@@ -60,7 +60,7 @@ def test_every_state_comes_back_to_its_last_bit(folder, states, paper, name):
 def test_both_formats_and_any_threads_give_the_same_digits(folder, paper, appendix):
     kinds = [sweep(paper, appendix, sample=folder / name) for name in ("run.csv", "run.parquet")]
     kinds.append(sweep(paper, appendix, sample=folder / "run.parquet", threads=2, batch=1))
-    values = [tally_value(found.tally) for found in kinds]
+    values = [statistics_value(found.statistics) for found in kinds]
     assert values[0] == values[1] == values[2]
     assert values[0]["count"] == ROWS
 

@@ -90,7 +90,7 @@ def test_compiled_numbers_are_the_same_to_the_bit(seed, block):
 
 def test_compiled_counts_are_the_same():
     row = np.random.default_rng(3).normal(size=5000) * np.logspace(-14, 7, 5000)
-    ours, theirs = fused.row_tally(row, 1.0), rows.row_tally(row, 1.0)
+    ours, theirs = fused.row_statistics(row, 1.0), rows.row_statistics(row, 1.0)
     assert (ours.where, ours.passed) == (theirs.where, theirs.passed)
     assert np.array_equal(ours.bins, theirs.bins)
     assert np.array_equal(ours.sizes, theirs.sizes)

@@ -18,7 +18,7 @@ from ur5check._sweep.magnitude_histogram import RELATIVE_ERROR
 from ur5check._sweep.reach_map import HEIGHTS, ReachGrid, tool_position
 from ur5check._sweep.sobol_sample import SobolSample
 from ur5check._sweep.state_sample import BLOCK, GridSample, RandomSample
-from ur5check._sweep.statistics import tally_of
+from ur5check._sweep.statistics import statistics_of
 from ur5check._sweep.sweep import _free_box, sweep
 from ur5check._sweep.sweep_plan import plan_of
 from ur5check._sweep.sweep_result import QUANTILES
@@ -29,7 +29,7 @@ ROUNDING = 1e-12  # [N m]: the kernel that a sweep runs and the recursion, on to
 
 @pytest.fixture(scope="module")
 def found(paper, appendix):
-    return sweep(paper, appendix, states=COUNT, seed=2, over=[1, 2, 1, 0.2, 0.1, 1e-9])
+    return sweep(paper, appendix, states=COUNT, seed=2, tolerance=[1, 2, 1, 0.2, 0.1, 1e-9])
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +45,7 @@ def test_root_mean_square_and_maximum(found, delta):
     rms = np.sqrt((delta**2).mean(axis=0))
     np.testing.assert_allclose(found.rms, rms, rtol=1e-12, atol=ROUNDING)
     np.testing.assert_allclose(found.maximum, np.abs(delta).max(axis=0), rtol=0, atol=ROUNDING)
-    assert (found.tally.worst == np.abs(delta).argmax(axis=0)).all()
+    assert (found.statistics.worst == np.abs(delta).argmax(axis=0)).all()
 
 
 def test_the_worst_states_make_the_maxima_again(found):
@@ -62,13 +62,13 @@ def test_quantiles(found, delta, share):
 
 
 def test_share_over(found, delta):
-    over = np.abs(delta) > [1, 2, 1, 0.2, 0.1, 1e-9]
-    assert (found.share_over() == over.mean(axis=0)).all()
+    tolerance = np.abs(delta) > [1, 2, 1, 0.2, 0.1, 1e-9]
+    assert (found.share_over() == tolerance.mean(axis=0)).all()
 
 
 def test_every_state_is_in_one_bin_and_one_cell(found):
-    assert (found.tally.bins.sum(axis=1) == COUNT).all()
-    assert found.tally.visits.sum() == COUNT
+    assert (found.statistics.bins.sum(axis=1) == COUNT).all()
+    assert found.statistics.visits.sum() == COUNT
 
 
 def test_the_map_holds_the_largest_of_each_cell(found, delta):
@@ -76,7 +76,7 @@ def test_the_map_holds_the_largest_of_each_cell(found, delta):
     p = forward_kinematics(found.pair.a, q)[:, :3, 3]
     radius, height = np.hypot(p[:, 0], p[:, 1]), p[:, 2]
     grid = found.plan.grid
-    for cell in np.argsort(found.tally.visits)[-5:]:
+    for cell in np.argsort(found.statistics.visits)[-5:]:
         column, row = divmod(int(cell), HEIGHTS)
         inside = (
             (grid.radii()[column] <= radius)
@@ -84,18 +84,18 @@ def test_the_map_holds_the_largest_of_each_cell(found, delta):
             & (grid.heights()[row] <= height)
             & (height < grid.heights()[row + 1])
         )
-        assert inside.sum() == found.tally.visits[cell]
+        assert inside.sum() == found.statistics.visits[cell]
         largest = np.abs(delta[inside]).max(axis=0)
-        np.testing.assert_allclose(found.tally.reach[:, cell], largest, rtol=0, atol=ROUNDING)
-    assert (found.tally.reach.max(axis=1) == found.maximum).all()
+        np.testing.assert_allclose(found.statistics.reach[:, cell], largest, rtol=0, atol=ROUNDING)
+    assert (found.statistics.reach.max(axis=1) == found.maximum).all()
 
 
 def test_the_map_of_a_long_sweep_sees_every_so_many_state(paper, appendix):
     plan = sweep(paper, appendix, states=4 * BLOCK).plan
     sparse = replace(plan, map_every=16)
-    assert sparse.tally(0, 1).visits.sum() == BLOCK // 16
-    assert plan.tally(0, 1).visits.sum() == BLOCK
-    assert (sparse.tally(0, 1).maximum == plan.tally(0, 1).maximum).all()
+    assert sparse.statistics(0, 1).visits.sum() == BLOCK // 16
+    assert plan.statistics(0, 1).visits.sum() == BLOCK
+    assert (sparse.statistics(0, 1).maximum == plan.statistics(0, 1).maximum).all()
 
 
 @pytest.mark.parametrize(
@@ -137,9 +137,11 @@ def test_one_mass_a_hundredth_too_heavy_is_found(appendix):
     heavier = appendix.with_inertias(links)
     found = sweep(heavier, appendix, states=200_000, sample="grid")
     joint = appendix.links[1]
-    lever = np.linalg.norm(joint.far_end.p + joint.far_end.R @ joint.inertia.com)
+    lever = np.linalg.norm(joint.link_tip_frame.p + joint.link_tip_frame.R @ joint.inertia.com)
     # The link turns in a plane beside the axis: what lies along the axis is no lever.
-    along = (joint.far_end.p + joint.far_end.R @ joint.inertia.com) @ appendix.joints[1].axis
+    along = (joint.link_tip_frame.p + joint.link_tip_frame.R @ joint.inertia.com) @ appendix.joints[
+        1
+    ].axis
     bound = 0.01 * joint.inertia.mass * 9.81 * np.sqrt(lever**2 - along**2)
     # With 7 levels the nearest posture is within half a level, 360°/14, of level.
     assert bound * np.cos(np.pi / 7) <= found.maximum[1] <= bound * (1 + 1e-12)
@@ -192,7 +194,7 @@ def test_arms_of_other_shapes_are_swept():
     found = sweep(a, heavier, states=500)
     assert found.count == 500
     assert found.maximum[0] > 0.0
-    assert found.tally.visits.sum() == 500
+    assert found.statistics.visits.sum() == 500
 
 
 def test_a_difference_that_is_no_number_is_refused():
@@ -201,10 +203,10 @@ def test_a_difference_that_is_no_number_is_refused():
         delta = np.ones((4, 2))
         delta[2, 1] = bad
         with (
-            np.errstate(over="ignore"),
+            np.errstate(tolerance="ignore"),
             pytest.raises(StateError, match="state 102: the torque difference of joint 2"),
         ):
-            tally_of(delta, states, 100, over=None)
+            statistics_of(delta, states, 100, tolerance=None)
 
 
 @pytest.mark.parametrize(
@@ -217,9 +219,9 @@ def test_a_difference_that_is_no_number_is_refused():
         {"sample": "halton"},
         {"threads": 0},
         {"batch": 0},
-        {"over": [1.0, 2.0]},
-        {"over": -1.0},
-        {"over": float("nan")},
+        {"tolerance": [1.0, 2.0]},
+        {"tolerance": -1.0},
+        {"tolerance": float("nan")},
     ],
 )
 def test_meaningless_options_are_refused(appendix, options):

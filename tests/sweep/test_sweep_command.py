@@ -21,7 +21,7 @@ from ur5check._sweep.sweep import sweep
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
-BASE = ("sweep", "paper", "appendix", "--states", "2e3", "--over", "1")
+BASE = ("sweep", "paper", "appendix", "--states", "2e3", "--tolerance", "1")
 
 
 @pytest.fixture
@@ -169,7 +169,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path, threads):
         (["--states", "0"], "at least 1"),
         (["--sample", "halton"], "random, sobol, grid"),
         (["--sample", "no.csv"], "no such file"),
-        (["--over", "1", "2"], "one for each of 6 joints"),
+        (["--tolerance", "1", "2"], "one for each of 6 joints"),
         (["--threads", "2", "--scheduler", "tcp://127.0.0.1:1"], "has no meaning"),
         (["--checkpoint-every", "-1"], "must not be negative"),
         (["--parquet", "found.csv"], "end its name in .parquet"),

@@ -56,7 +56,7 @@ def test_a_command_runs(command, desk, capsys):
 def test_every_way_is_shown():
     assert len(SWEEPS) >= 5
     shown = " ".join(COMMANDS)
-    for option in ("--threads", "--sample", "--checkpoint", "--scheduler", "--over"):
+    for option in ("--threads", "--sample", "--checkpoint", "--scheduler", "--tolerance"):
         assert option in shown
 
 

@@ -25,11 +25,11 @@ def numpy_alone(monkeypatch):
 
 
 def test_torques_to_rounding(paper, appendix, numpy_alone, monkeypatch):
-    plain = sweep(paper, appendix, states=5_000, seed=4, over=1.0)
+    plain = sweep(paper, appendix, states=5_000, seed=4, tolerance=1.0)
     assert plain.plan.engine == "numpy"
     monkeypatch.undo()
     _difference.cache_clear()
-    found = sweep(paper, appendix, states=5_000, seed=4, over=1.0)
+    found = sweep(paper, appendix, states=5_000, seed=4, tolerance=1.0)
     assert found.plan.engine == "llvm"
     np.testing.assert_allclose(plain.rms, found.rms, rtol=1e-12)
     np.testing.assert_allclose(plain.maximum, found.maximum, rtol=0, atol=ROUNDING)
@@ -45,6 +45,6 @@ def test_random_numbers_and_counts_to_the_bit():
     one, other = (way.drawn(7, 2**40 + 1, width, lower, 1000) for way in (rows, loops))
     assert np.array_equal(one, other)
     assert not np.array_equal(one, rows.drawn(7, 2**40 + 2, width, lower, 1000))
-    plain, found = (way.row_tally(one[0], 0.25) for way in (rows, loops))
+    plain, found = (way.row_statistics(one[0], 0.25) for way in (rows, loops))
     assert np.array_equal(plain.bins, found.bins)
     assert (plain.where, plain.passed) == (found.where, found.passed)

@@ -12,7 +12,7 @@ import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies
 from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._engines.recursion_engine import RecursionEngine
 from ur5check._robot.states import random_states
 from ur5check._validation.law import run
 from ur5check._validation.law_subject import Subject
@@ -24,9 +24,9 @@ ARM = random_arm(5, seed=3, prismatic=False)
 STATES = random_states(5, 50, seed=4)
 
 
-def subject(arm=ARM, states=STATES, own=None, referee=None):
-    own = own or OwnEngine(arm)
-    return Subject(arm, own, referee or PinocchioEngine(arm), states, arm.gravity)
+def subject(arm=ARM, states=STATES, recursion=None, reference=None):
+    recursion = recursion or RecursionEngine(arm)
+    return Subject(arm, recursion, reference or PinocchioEngine(arm), states, arm.gravity)
 
 
 def outcome(law, s):
@@ -53,29 +53,29 @@ def test_the_law_holds_for_every_shipped_model(law, name):
 def test_the_law_holds_for_an_arm_with_motors(law):
     arm = ARM.with_armature([0.5, 2.0, 0.0, 0.1, 0.03])
     assert outcome(law, subject(arm)).passed
-    # And the motors do something: the referee without them disagrees.
-    if law.id in ("torque-referee", "mass-referee"):
-        assert outcome(law, subject(arm, referee=PinocchioEngine(ARM))).status == "fail"
+    # And the motors do something: the reference engine without them disagrees.
+    if law.id in ("torque-reference", "mass-reference"):
+        assert outcome(law, subject(arm, reference=PinocchioEngine(ARM))).status == "fail"
 
 
 # --- and what each of them refuses ---------------------------------------------------------------
 
 
-class MassScaled(OwnEngine):
+class MassScaled(RecursionEngine):
     """Every inertia a billionth too large."""
 
     def mass_matrix(self, q):
         return super().mass_matrix(q) * (1 + 1e-9)
 
 
-class MassLopsided(OwnEngine):
+class MassLopsided(RecursionEngine):
     def mass_matrix(self, q):
         M = super().mass_matrix(q)
         M[..., 0, 1] += 1e-9
         return M
 
 
-class CoriolisOfOneColumn(OwnEngine):
+class CoriolisOfOneColumn(RecursionEngine):
     """C q̇ is right, C is not Christoffel's: h(q̇) q̇ᵀ / |q̇|²."""
 
     def coriolis_matrix(self, q, qd):
@@ -83,26 +83,26 @@ class CoriolisOfOneColumn(OwnEngine):
         return h[..., :, None] * qd[..., None, :] / (qd**2).sum(axis=-1)[..., None, None]
 
 
-class CoriolisForgotten(OwnEngine):
+class CoriolisForgotten(RecursionEngine):
     def coriolis_matrix(self, q, qd):
         return 0.0 * super().coriolis_matrix(q, qd)
 
 
-class UpsideDown(OwnEngine):
+class UpsideDown(RecursionEngine):
     """Energy grows downwards."""
 
     def potential_energy(self, q):
         return -super().potential_energy(q)
 
 
-class SpinForgotten(OwnEngine):
+class SpinForgotten(RecursionEngine):
     """Kinetic energy of a slightly lighter arm."""
 
     def kinetic_energy(self, q, qd):
         return (1 - 1e-9) * super().kinetic_energy(q, qd)
 
 
-class ColumnsSwapped(OwnEngine):
+class ColumnsSwapped(RecursionEngine):
     """Ixy and Iyy in the other order: URDF's instead of Pinocchio's."""
 
     def torque_regressor(self, q, qd, qdd):
@@ -111,7 +111,7 @@ class ColumnsSwapped(OwnEngine):
         return Y
 
 
-class GravityForgotten(OwnEngine):
+class GravityForgotten(RecursionEngine):
     def forward_dynamics(self, q, qd, tau):
         return super().forward_dynamics(q, qd, tau + self.gravity_torque(q))
 
@@ -124,8 +124,8 @@ class PinocchioOneColumn(PinocchioEngine):
 def _moved(arm):
     """The arm with its first link a nanometre longer."""
     first = arm.links[0]
-    longer = replace(first.far_end, p=first.far_end.p + [1e-9, 0, 0])
-    return replace(arm, links=(replace(first, far_end=longer), *arm.links[1:]))
+    longer = replace(first.link_tip_frame, p=first.link_tip_frame.p + [1e-9, 0, 0])
+    return replace(arm, links=(replace(first, link_tip_frame=longer), *arm.links[1:]))
 
 
 def _heavier(arm):
@@ -143,21 +143,21 @@ def _antimatter(arm):
 
 
 FAULTS = {
-    "fk-referee": lambda: subject(referee=PinocchioEngine(_moved(ARM))),
-    "torque-referee": lambda: subject(referee=PinocchioEngine(_heavier(ARM))),
-    "mass-referee": lambda: subject(own=MassScaled(ARM)),
-    "mass-symmetric": lambda: subject(own=MassLopsided(ARM)),
+    "fk-reference": lambda: subject(reference=PinocchioEngine(_moved(ARM))),
+    "torque-reference": lambda: subject(reference=PinocchioEngine(_heavier(ARM))),
+    "mass-reference": lambda: subject(recursion=MassScaled(ARM)),
+    "mass-symmetric": lambda: subject(recursion=MassLopsided(ARM)),
     "mass-positive": lambda: subject(arm=_antimatter(ARM)),
-    "bias-referee": lambda: subject(own=CoriolisForgotten(ARM)),
-    "gravity-referee": lambda: subject(own=OwnEngine(ARM, ARM.gravity * (1 + 1e-9))),
-    "gravity-gradient": lambda: subject(own=UpsideDown(ARM)),
-    "coriolis-skew": lambda: subject(own=CoriolisOfOneColumn(ARM)),
-    "coriolis-skew-referee": lambda: subject(referee=PinocchioOneColumn(ARM)),
-    "power-balance": lambda: subject(own=SpinForgotten(ARM)),
-    "regressor-torque": lambda: subject(own=ColumnsSwapped(ARM)),
-    "regressor-referee": lambda: subject(own=ColumnsSwapped(ARM)),
-    "forward-inverse": lambda: subject(own=GravityForgotten(ARM)),
-    "forward-referee": lambda: subject(own=GravityForgotten(ARM)),
+    "bias-reference": lambda: subject(recursion=CoriolisForgotten(ARM)),
+    "gravity-reference": lambda: subject(recursion=RecursionEngine(ARM, ARM.gravity * (1 + 1e-9))),
+    "gravity-gradient": lambda: subject(recursion=UpsideDown(ARM)),
+    "coriolis-skew": lambda: subject(recursion=CoriolisOfOneColumn(ARM)),
+    "coriolis-skew-reference": lambda: subject(reference=PinocchioOneColumn(ARM)),
+    "power-balance": lambda: subject(recursion=SpinForgotten(ARM)),
+    "regressor-torque": lambda: subject(recursion=ColumnsSwapped(ARM)),
+    "regressor-reference": lambda: subject(recursion=ColumnsSwapped(ARM)),
+    "forward-inverse": lambda: subject(recursion=GravityForgotten(ARM)),
+    "forward-reference": lambda: subject(recursion=GravityForgotten(ARM)),
 }
 
 
@@ -168,27 +168,27 @@ def test_the_law_refuses_a_planted_fault(law):
 
 
 def test_a_law_that_measures_no_number_fails():
-    class Lost(OwnEngine):
+    class Lost(RecursionEngine):
         def inverse_dynamics(self, q, qd, qdd):
             tau = super().inverse_dynamics(q, qd, qdd)
             tau[7] = np.nan
             return tau
 
-    (law,) = (law for law in LAWS if law.id == "torque-referee")
-    result = outcome(law, subject(own=Lost(ARM)))
+    (law,) = (law for law in LAWS if law.id == "torque-reference")
+    result = outcome(law, subject(recursion=Lost(ARM)))
     assert result.status == "fail"
     assert result.worst_state == STATES[7]
 
 
 def test_the_worst_state_is_the_one_reported():
-    class OneBadState(OwnEngine):
+    class OneBadState(RecursionEngine):
         def mass_matrix(self, q):
             M = super().mass_matrix(q)
             M[13, 0, 0] += 1.0
             return M
 
-    (law,) = (law for law in LAWS if law.id == "mass-referee")
-    result = outcome(law, subject(own=OneBadState(ARM)))
+    (law,) = (law for law in LAWS if law.id == "mass-reference")
+    result = outcome(law, subject(recursion=OneBadState(ARM)))
     assert result.value == pytest.approx(1.0)
     assert result.worst_state == STATES[13]
 

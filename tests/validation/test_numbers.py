@@ -10,7 +10,7 @@ import pytest
 import ur5check
 from examples import random_arm
 from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._engines.recursion_engine import RecursionEngine
 from ur5check._robot import Inertia
 from ur5check._robot.states import random_states
 from ur5check._validation.law import run
@@ -23,7 +23,7 @@ FK, ACCOUNT = PAIRS
 
 
 def bodies(arm):
-    s = Subject(arm, OwnEngine(arm), PinocchioEngine(arm), STATES, arm.gravity)
+    s = Subject(arm, RecursionEngine(arm), PinocchioEngine(arm), STATES, arm.gravity)
     return run(PHYSICAL, s, name=arm.name, n=arm.n, states=STATES)
 
 
@@ -52,9 +52,9 @@ def test_a_flat_plate_is_a_body():
     assert bodies(arm.with_inertias([plate] * 6)).passed
 
 
-def pair_outcome(check, difference, referee):
-    own = OwnEngine(difference.pair.a)
-    s = PairSubject(difference, own, referee)
+def pair_outcome(check, difference, reference):
+    recursion = RecursionEngine(difference.pair.a)
+    s = PairSubject(difference, recursion, reference)
     return run(check, s, name="pair", n=6, states=difference.states)
 
 

@@ -11,7 +11,7 @@ import ur5check
 from examples import random_arm
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
-from ur5check._reports import validation_summary as story
+from ur5check._reports import validation_summary as summary
 from ur5check._robot.states import random_states
 from ur5check._validation.validation import validate_arm
 
@@ -23,7 +23,7 @@ def test_the_paper_against_its_appendix_by_default():
     assert result.passed
     assert not result.pairs[0].difference.agrees  # a finding, not a failure
     assert any("100 states" in line for line in lines)
-    assert story.tell(result)[0].startswith("The algorithm is right")
+    assert summary.summarize(result)[0].startswith("The algorithm is right")
 
 
 def test_one_model_alone_has_no_difference():
@@ -46,7 +46,7 @@ def test_a_wrong_algorithm_is_told_apart_from_different_numbers():
     assert result.bodies_possible
     assert result.accounted
     assert not result.passed
-    assert "WRONG" in story.tell(result)[0]
+    assert "WRONG" in summary.summarize(result)[0]
 
 
 def test_gravity_reaches_both_sides():

@@ -1,4 +1,4 @@
-"""Where the time of `validate` and `diff` goes: imports, referees, our side."""
+"""Where the time of `validate` and `diff` goes: imports, reference engines, our side."""
 
 from __future__ import annotations
 

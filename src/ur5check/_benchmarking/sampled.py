@@ -3,8 +3,8 @@
     python -m ur5check._benchmarking.sampled validate --samples 10000
 
 runs the command with its report thrown away, and prints seconds per part as JSON.  A profiler that
-counts calls would slow down the referees' many small calls and nothing else; looking on from
-outside costs all parts alike.
+counts calls would slow down the reference engines' many small calls and nothing else; looking on
+from outside costs all parts alike.
 
 A part is the innermost of: an import, or a room of ours that has work of its own (`_ROOMS`).
 """
@@ -29,7 +29,7 @@ __all__ = ["sampled"]
 #: Rooms by what a user would call their work; the rooms that only put others together have none.
 _ROOMS = {
     "sources": "reading the models",
-    "engines": "the referees",
+    "engines": "the reference engines",
     "dynamics": "our recursion",
     "checks": "laws held against each other",
     "comparison": "comparison and account",

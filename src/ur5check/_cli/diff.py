@@ -29,7 +29,7 @@ EXAMPLES = f"""\
 
 examples:
   ur5check diff paper appendix
-  ur5check diff good.urdf suspect.urdf --tip-a tool0 --tip-b tool0 --mend mended.urdf -o diff.md
+  ur5check diff good.urdf suspect.urdf --tip-a tool0 --tip-b tool0 --repair repaired.urdf -o diff.md
 """
 
 
@@ -39,7 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("b", metavar="B", help="another, held against it")
     parser.add_argument("--quick", action="store_true", help="what differs, without the why")
     parser.add_argument(
-        "--mend", metavar="FILE", help="write B, its known mistakes mended, as a URDF"
+        "--repair", metavar="FILE", help="write B, its known mistakes repaired, as a URDF"
     )
     parser.add_argument(
         "--by-parameter", action="store_true", help="go down to each of a link's ten parameters"
@@ -96,28 +96,28 @@ def run(args: argparse.Namespace) -> int:
         ),
         report=lambda: difference_json(d, explanation, parameters=parameters, command=command),
     )
-    if args.mend is not None and explanation is not None:
-        from .repaired_model import mend
+    if args.repair is not None and explanation is not None:
+        from .repaired_model import repair
 
-        mend(explanation, args.mend, say)
+        repair(explanation, args.repair, say)
     emit(text, args.output)
     return 0 if d.agrees else 1
 
 
 def _check_options(args: argparse.Namespace) -> None:
     """Raises UsageError for options that have no meaning together."""
-    for option in ("mend", "acceleration"):
+    for option in ("repair", "acceleration"):
         if args.quick and getattr(args, option) is not None:
             raise UsageError(f"--{option} needs the explanation that --quick leaves out; drop one")
-    if args.mend is None:
+    if args.repair is None:
         return
-    if Path(args.mend).suffix.lower() != ".urdf":
-        raise UsageError(f"--mend {args.mend}: a URDF is written there; end its name in .urdf")
-    if args.output is not None and Path(args.output).resolve() == Path(args.mend).resolve():
-        raise UsageError(f"--mend {args.mend}: the report goes there (-o); name another file")
+    if Path(args.repair).suffix.lower() != ".urdf":
+        raise UsageError(f"--repair {args.repair}: a URDF is written there; end its name in .urdf")
+    if args.output is not None and Path(args.output).resolve() == Path(args.repair).resolve():
+        raise UsageError(f"--repair {args.repair}: the report goes there (-o); name another file")
 
 
 def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
     inputs = tuple(inputs)
     check_output(args.output, inputs)
-    check_output(args.mend, inputs, option="--mend")
+    check_output(args.repair, inputs, option="--repair")

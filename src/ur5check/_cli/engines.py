@@ -1,7 +1,7 @@
 """Ask whether all engines mean the same robot: what each of them reads out of a model, how far
-apart their answers are, and what mends it.  Without a model: which engines are here.
+apart their answers are, and what repairs it.  Without a model: which engines are here.
 
-Exit code 0 if no torque of any two engines differs by more than --fail-over, 1 if one does or an
+Exit code 0 if no torque of any two engines differs by more than --tolerance, 1 if one does or an
 engine does not take the model.
 """
 
@@ -27,7 +27,7 @@ EXAMPLES = f"""\
 {MODELS}
 
 examples:
-  ur5check engines my.urdf.xacro --with mujoco,drake --as-read --fail-over 1e-6
+  ur5check engines my.urdf.xacro --with mujoco,drake --as-read --tolerance 1e-6
   ur5check engines --fleet -o fleet.md
 """
 
@@ -46,13 +46,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="which take part, as a,b,c (default: all that are installed)",
     )
     parser.add_argument(
-        "--fail-over",
+        "--tolerance",
         type=float,
         metavar="N_M",
         help="torques that differ by more mean another robot [N m] (default: 1e-10)",
     )
     parser.add_argument(
-        "--as-read", action="store_true", help="judge what the engines read, without remedies"
+        "--as-read", action="store_true", help="judge what the engines read, without fixes"
     )
     parser.add_argument(
         "--samples", type=int, metavar="N", help="random states (default: 200; 20 with --fleet)"
@@ -80,14 +80,14 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _list(args: argparse.Namespace) -> int:
-    from .._reports.engine_list import referees_document, referees_json
+    from .._reports.engine_list import engines_list_document, engines_list_json
 
     check_output(args.output, ())
     text = rendered(
         format_of(args.format, args.output),
         args.output,
-        document=lambda: referees_document(command="ur5check engines --list"),
-        report=lambda: referees_json(command="ur5check engines --list"),
+        document=lambda: engines_list_document(command="ur5check engines --list"),
+        report=lambda: engines_list_json(command="ur5check engines --list"),
     )
     emit(text, args.output)
     return 0
@@ -104,7 +104,7 @@ def _model(args: argparse.Namespace) -> int:
     from .._reports.engines_json import engines_json
 
     args.samples = SAMPLES if args.samples is None else args.samples
-    args.fail_over = SAME_ROBOT if args.fail_over is None else args.fail_over
+    args.tolerance = SAME_ROBOT if args.tolerance is None else args.tolerance
     report = compare_engines(
         arm,
         engines=_engines(args),
@@ -115,7 +115,7 @@ def _model(args: argparse.Namespace) -> int:
     )
     shown = {
         "model": args.model,
-        "limit": args.fail_over,
+        "limit": args.tolerance,
         "as_read": args.as_read,
         "command": _command(args, (args.model,)),
     }
@@ -127,7 +127,7 @@ def _model(args: argparse.Namespace) -> int:
     )
     emit(text, args.output)
     stage = report.as_read if args.as_read else report.final
-    return 0 if stage.agrees(args.fail_over) else 1
+    return 0 if stage.agrees(args.tolerance) else 1
 
 
 def _fleet(args: argparse.Namespace) -> int:
@@ -139,16 +139,16 @@ def _fleet(args: argparse.Namespace) -> int:
     from .._reports.fleet_document import fleet_document
 
     args.samples = FLEET_SAMPLES if args.samples is None else args.samples
-    args.fail_over = SAME_ROBOT if args.fail_over is None else args.fail_over
+    args.tolerance = SAME_ROBOT if args.tolerance is None else args.tolerance
     fleet = compare_fleet(
         engines=_engines(args),
         samples=args.samples,
         seed=args.seed,
-        remedies=not args.as_read,
+        repairs=not args.as_read,
         progress=lambda line: progress(args.quiet, line),
     )
     shown = {
-        "limit": args.fail_over,
+        "limit": args.tolerance,
         "as_read": args.as_read,
         "command": _command(args, ()),
     }
@@ -159,7 +159,7 @@ def _fleet(args: argparse.Namespace) -> int:
         report=lambda: fleet_json(fleet, **shown),
     )
     emit(text, args.output)
-    return 0 if fleet.worst(as_read=args.as_read) <= args.fail_over else 1
+    return 0 if fleet.worst(as_read=args.as_read) <= args.tolerance else 1
 
 
 def _engines(args: argparse.Namespace) -> list[str] | None:
@@ -170,7 +170,7 @@ def _command(args: argparse.Namespace, models: tuple[str, ...]) -> str:
     words = [command_line("engines", args, models)]
     words += ["--fleet"] if args.fleet else []
     words += [f"--with {','.join(_engines(args) or ())}"] if args.engines is not None else []
-    words += ["--fail-over", repr(args.fail_over)]
+    words += ["--tolerance", repr(args.tolerance)]
     words += ["--as-read"] if args.as_read else []
     return " ".join(words)
 
@@ -189,12 +189,12 @@ def _check(args: argparse.Namespace) -> None:
     if args.model is None:
         if not args.fleet:
             given |= {
-                "--with": args.engines, "--fail-over": args.fail_over,
+                "--with": args.engines, "--tolerance": args.tolerance,
                 "--as-read": args.as_read, "--samples": args.samples,
             }  # fmt: skip
         for option, value in given.items():
             if value is not None and value is not False and value != []:
                 raise UsageError(f"{option} needs a model: ur5check engines MODEL {option} …")
-    limit = args.fail_over
+    limit = args.tolerance
     if limit is not None and not (math.isfinite(limit) and limit >= 0.0):
-        raise UsageError(f"--fail-over {limit}: give a torque of zero or more [N m]")
+        raise UsageError(f"--tolerance {limit}: give a torque of zero or more [N m]")

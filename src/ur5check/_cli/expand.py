@@ -35,13 +35,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> int:
     """Expand and print."""
     from .._io.ros_packages import default_packages
-    from .._io.shipped_models import CATALOG
+    from .._io.shipped_models import SHIPPED_MODELS
     from .._io.xacro.xacro_reader import expand_xacro
     from .input_files import input_files
 
     arguments = name_value_pairs(args.arg, "--arg", ":=")
     packages = name_value_pairs(args.package, "--package", "=")
-    entry = CATALOG.get(args.file)
+    entry = SHIPPED_MODELS.get(args.file)
     path = entry.path() if entry else Path(args.file)
     kind = entry.kind if entry else path.suffix.lower().removeprefix(".")
     check_output(args.output, (path,))
@@ -66,16 +66,18 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[str, str]) -> str:
-    """The text that the engine reads rightly; says what was changed, and for which habit."""
-    from .._engines.known_issues import remedied_text
+    """The text that the engine reads rightly; says what was changed, and for which known issue."""
+    from .._engines.known_issues import repaired_text
     from .._io.meshes.mesh_paths import with_mesh_paths
     from .._io.ros_packages import default_packages
     from .._io.urdf.urdf_checks import check_urdf
 
     check_urdf(text.encode(), args.file)
-    text, mended = remedied_text(text, args.reader)
-    for habit in mended:
-        progress(args.quiet, f"rewritten for {args.reader}, where {habit.title} ({habit.id})")
+    text, repaired = repaired_text(text, args.reader)
+    for known_issue in repaired:
+        progress(
+            args.quiet, f"rewritten for {args.reader}, where {known_issue.title} ({known_issue.id})"
+        )
     if args.reader in ("mujoco", "dart"):  # they know no ROS packages, and stop at a mesh not found
         known = default_packages().with_packages(packages)
         text, lost = with_mesh_paths(text, known, path.parent)
@@ -97,12 +99,12 @@ def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:
 
 
 def _not_a_xacro(name: str, kind: str) -> str:
-    from .._io.shipped_models import CATALOG
+    from .._io.shipped_models import SHIPPED_MODELS
     from .._io.suggestions import did_you_mean
 
     if kind in ("dh", "toml"):
         return (
             f"{name} is a DH table: there is no xacro in it to expand; see `ur5check show {name}`"
         )
-    known = did_you_mean(name, CATALOG)
+    known = did_you_mean(name, SHIPPED_MODELS)
     return f"{name} is no xacro and no model's name; give a .xacro file ({known})"

@@ -10,7 +10,7 @@ from .._errors import UsageError
 from .options import MODELS, ModelOptions, add_model_options, progress
 
 if TYPE_CHECKING:
-    from .._io.gazebo.gazebo_package import GazeboHandover, Ros
+    from .._io.gazebo.gazebo_package import GazeboPackages, Ros
     from .._robot.transforms import Array
 
 __all__ = ["EXAMPLES", "add_options", "run"]
@@ -46,10 +46,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Write the packages; say where they are and what torque they publish."""
-    from .._io.gazebo.gazebo_package import gazebo_handover
+    from .._io.gazebo.gazebo_package import gazebo_packages
     from .._io.gazebo.package_folder import check_folder, write_folder
     from .._io.ros_packages import default_packages
-    from .._io.shipped_models import CATALOG
+    from .._io.shipped_models import SHIPPED_MODELS
     from .._paper.cases import case
     from .output import emit
 
@@ -58,8 +58,8 @@ def run(args: argparse.Namespace) -> int:
     (arm,) = options.load(quiet=args.quiet)
     if args.pose is None:
         args.pose = _case_9(case(9).joint_angles(), args.model, arm.n)
-    entry = CATALOG.get(args.model)
-    handover = gazebo_handover(
+    entry = SHIPPED_MODELS.get(args.model)
+    packages = gazebo_packages(
         arm,
         args.pose,
         ros=_ROS[args.ros],
@@ -68,9 +68,9 @@ def run(args: argparse.Namespace) -> int:
         licence=entry.licence if entry else "that of its own file",
         command=_command(args),
     )
-    write_folder(args.folder, handover.files, handover.programs)
-    emit(_said(args.folder, arm.joint_names, handover), None)
-    for note in handover.notes:
+    write_folder(args.folder, packages.files, packages.programs)
+    emit(_said(args.folder, arm.joint_names, packages), None)
+    for note in packages.notes:
         progress(args.quiet, note)
     return 0
 
@@ -84,17 +84,17 @@ def _case_9(angles: Array, model: str, n: int) -> list[float]:
     return [float(q) for q in angles.ravel()]
 
 
-def _said(folder: str, names: tuple[str, ...], handover: GazeboHandover) -> str:
+def _said(folder: str, names: tuple[str, ...], packages: GazeboPackages) -> str:
     """What a reader needs next: which file to open, and what to expect."""
     width = max(map(len, names))
-    lines = [f"{folder}: {len(handover.files)} files; {folder}/README.md says how to run them"]
+    lines = [f"{folder}: {len(packages.files)} files; {folder}/README.md says how to run them"]
     lines += [
         f"{'joint':{width}}  {'start':>9}  {'torque':>9}",
         f"{'':{width}}  {'rad, m':>9}  N m, N",
     ]
     lines += [
         f"{name:{width}}  {q:9.4f}  {round(tau, 4) + 0.0:9.4f}"
-        for name, q, tau in zip(names, handover.start, map(float, handover.tau), strict=True)
+        for name, q, tau in zip(names, packages.start, map(float, packages.tau), strict=True)
     ]
     return "\n".join([*lines, ""])
 

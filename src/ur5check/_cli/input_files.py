@@ -7,7 +7,7 @@ from pathlib import Path
 
 from .._errors import ModelError
 from .._io.ros_packages import default_packages
-from .._io.shipped_models import CATALOG
+from .._io.shipped_models import SHIPPED_MODELS
 
 __all__ = ["input_files"]
 
@@ -16,7 +16,7 @@ def input_files(
     model: str, inputs: Iterable[tuple[str, str]], packages: Mapping[str, str]
 ) -> list[Path]:
     """The model's own file, and those named in its `inputs` that can be found again."""
-    file = CATALOG[model].path() if model in CATALOG else Path(model)
+    file = SHIPPED_MODELS[model].path() if model in SHIPPED_MODELS else Path(model)
     map_of_packages = default_packages().with_packages(packages)
     files = [file]
     for name, _ in inputs:

@@ -197,8 +197,8 @@ def progress(quiet: bool, line: str) -> None:
 
 
 def _is_xacro(model: str) -> bool:
-    from .._io.shipped_models import CATALOG
+    from .._io.shipped_models import SHIPPED_MODELS
 
-    if model in CATALOG:
-        return CATALOG[model].kind == "xacro"
+    if model in SHIPPED_MODELS:
+        return SHIPPED_MODELS[model].kind == "xacro"
     return Path(model).suffix.lower() == ".xacro"

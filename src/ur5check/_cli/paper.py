@@ -82,9 +82,9 @@ def _name(case: int) -> str:
 
 
 def _inputs() -> list[Path]:
-    from .._io.shipped_models import CATALOG
+    from .._io.shipped_models import SHIPPED_MODELS
 
-    return [entry.path() for entry in CATALOG.values()]
+    return [entry.path() for entry in SHIPPED_MODELS.values()]
 
 
 def _check_figures(folder: str) -> None:

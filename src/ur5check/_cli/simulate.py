@@ -110,9 +110,9 @@ def run(args: argparse.Namespace) -> int:
     )
     if args.figure is not None:
         from .._paper.figures.figure_files import as_png, as_svg
-        from .._paper.figures.static_hold_figure import draw_standing
+        from .._paper.figures.static_hold_figure import draw_static_hold
 
-        drawn = draw_standing(s)
+        drawn = draw_static_hold(s)
         target = Path(args.figure)
         picture = as_png(drawn) if target.suffix.lower() == ".png" else as_svg(drawn)
         emit_files({target.name: picture}, str(target.parent), option="--figure")

@@ -56,7 +56,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--within-limits", action="store_true", help="keep to joint limits of position and speed"
     )
     what.add_argument(
-        "--over",
+        "--tolerance",
         type=float,
         nargs="+",
         metavar="NM",
@@ -104,7 +104,7 @@ def run(args: argparse.Namespace) -> int:
         sample=args.sample,
         seed=args.seed,
         within_limits=args.within_limits,
-        over=args.over,
+        tolerance=args.tolerance,
         gravity=args.gravity,
         threads=args.threads,
         batch=args.batch,
@@ -148,8 +148,8 @@ def _command(args: argparse.Namespace, models: tuple[str, ...], count: int) -> s
         words += ["--states", str(count)]
     if args.within_limits:
         words.append("--within-limits")
-    if args.over is not None:
-        words += ["--over", *map(repr, args.over)]
+    if args.tolerance is not None:
+        words += ["--tolerance", *map(repr, args.tolerance)]
     return " ".join(words)
 
 

@@ -25,8 +25,15 @@ import numpy as np
 from .._errors import UsageError
 from .._robot.serial_arm import Joint, Limits, SerialArm, Source
 from .._robot.transforms import Array, Transform
-from .alignment_paths import NEAR_ANGLE, NEAR_LENGTH, Walk, as_written, met_at_the_tool, walks
-from .joint_axes import across, joint_starts, signed_angle, smallest_turn, tool_pose
+from .alignment_paths import (
+    NEAR_ANGLE,
+    NEAR_LENGTH,
+    AlignmentPath,
+    as_written,
+    met_at_the_tool,
+    walks,
+)
+from .joint_axes import across, joint_starts, signed_angle, smallest_rotation, tool_pose
 
 __all__ = [
     "SAME_ANGLE",
@@ -118,7 +125,7 @@ def arm_in_coordinates_of(a: SerialArm, b: SerialArm, alignment: Alignment) -> S
                 joint.friction,
             )
         )
-        links.append(replace(link, far_end=joint.motion(offset) @ link.far_end))
+        links.append(replace(link, link_tip_frame=joint.motion(offset) @ link.link_tip_frame))
     return SerialArm(
         b.name,
         tuple(joints),
@@ -157,7 +164,7 @@ def _best(a: SerialArm, b: SerialArm, angle: float, length: float) -> Alignment 
     return min(found, key=lambda alignment: _cost(a, b, alignment), default=None)
 
 
-def _finish(a: SerialArm, b: SerialArm, walk: Walk, *, exact: bool) -> Alignment:
+def _finish(a: SerialArm, b: SerialArm, walk: AlignmentPath, *, exact: bool) -> Alignment:
     """What only the tool shows, then everything measured on the arms themselves."""
     unknown = walk.unknown
     angle = 0.0
@@ -167,7 +174,7 @@ def _finish(a: SerialArm, b: SerialArm, walk: Walk, *, exact: bool) -> Alignment
     offsets = np.array([*walk.offsets, angle]) + walk.slid[3:]
     T = b.base
     for joint, link, offset in zip(b.joints[:-1], b.links[:-1], offsets[:-1], strict=True):
-        T = T @ joint.motion(offset) @ link.far_end
+        T = T @ joint.motion(offset) @ link.link_tip_frame
     X = walk.here @ T.inverse()
     return _measured(a, b, X, np.array(walk.signs), _wrapped(b, offsets), exact, unknown)
 
@@ -207,9 +214,9 @@ def _turned_at_joint_1(a: SerialArm, b: SerialArm, found: Alignment) -> Alignmen
         return found
     axis = found.T_ab.R @ b.base.R @ b.joints[0].axis
     # The turn of X about the axis; what is left of X tilts the axis and must stay.
-    tilt = smallest_turn(b.base.R @ b.joints[0].axis, axis)
-    turn = Transform(found.T_ab.R @ tilt.R.T, np.zeros(3))
-    angle = signed_angle(turn.R, axis)
+    tilt = smallest_rotation(b.base.R @ b.joints[0].axis, axis)
+    rotation = Transform(found.T_ab.R @ tilt.R.T, np.zeros(3))
+    angle = signed_angle(rotation.R, axis)
     offsets = found.offsets.copy()
     offsets[0] = angle
     undo = b.base @ b.joints[0].motion(-angle) @ b.base.inverse()

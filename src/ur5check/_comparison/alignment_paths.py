@@ -3,8 +3,8 @@
 With the axes 1 … i of arm b in place, joint i can still turn, and the angle that brings axis i + 1
 onto its counterpart is that joint's zero offset.  Where two consecutive axes meet at right angles,
 axis i + 1 fits either way round, and both ways are followed.  Directions in which everything found
-so far may still slide (along parallel axes, or along a sliding joint) are kept as `Slack` until a
-later axis takes them up.
+so far may still slide (along parallel axes, or along a sliding joint) are kept as `FreeTranslation`
+until a later axis takes them up.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from .joint_axes import (
     angle_about,
     joint_starts,
     signed_angle,
-    smallest_turn,
+    smallest_rotation,
     tool_angle,
     tool_pose,
 )
 
-__all__ = ["NEAR_ANGLE", "NEAR_LENGTH", "Walk", "as_written", "met_at_the_tool", "walks"]
+__all__ = ["NEAR_ANGLE", "NEAR_LENGTH", "AlignmentPath", "as_written", "met_at_the_tool", "walks"]
 
 #: Below this two axes may be one and the same, or parallel: no zero is read off so small a lever.
 #: Also what counts as *nearly* one line: a rounding such as 1.5707 for π/2 (1e-4 rad), or a length
@@ -38,7 +38,7 @@ _NOTHING = 1e-9  # [m] or [rad]: rounding of a product of transforms
 
 
 @dataclass(frozen=True, eq=False)
-class Slack:
+class FreeTranslation:
     """Translations that would leave every axis found so far where it is.
 
     directions : (3, k), in a's base frame
@@ -49,7 +49,9 @@ class Slack:
     directions: Array
     owners: Array
 
-    def taken_up(self, gap: Array, along: Array | None = None) -> tuple[Slack, Array, Array]:
+    def taken_up(
+        self, gap: Array, along: Array | None = None
+    ) -> tuple[FreeTranslation, Array, Array]:
         """Close `gap` as far as sliding can; a gap along the axis `along` is none.
 
         Returns the slack that is left, the translation made, and what it means (3 + n,).
@@ -60,20 +62,20 @@ class Slack:
         rank = int((sizes > 1e-9).sum())  # directions are unit vectors: parallel means rounding
         y = vt[:rank].T @ ((u[:, :rank].T @ (seen_part @ gap)) / sizes[:rank])
         rest = vt[rank:].T
-        left = Slack(self.directions @ rest, self.owners @ rest)
+        left = FreeTranslation(self.directions @ rest, self.owners @ rest)
         return left, self.directions @ y, self.owners @ y
 
-    def with_slide(self, direction: Array, joint: int) -> Slack:
+    def with_slide(self, direction: Array, joint: int) -> FreeTranslation:
         """This slack, and a sliding joint's own."""
         owner = np.zeros(len(self.owners))
         owner[3 + joint] = 1.0
-        return Slack(
+        return FreeTranslation(
             np.column_stack([self.directions, direction]), np.column_stack([self.owners, owner])
         )
 
 
 @dataclass(frozen=True, eq=False)
-class Walk:
+class AlignmentPath:
     """Arm b laid along arm a as far as joint i.
 
     here : the frame that joint i of b starts from, in a's base frame
@@ -82,16 +84,16 @@ class Walk:
     here: Transform
     signs: tuple[float, ...]
     offsets: tuple[float, ...]
-    slack: Slack
+    free_translation: FreeTranslation
     slid: Array  # (3 + n,): what has been taken up, by owner
     unknown: tuple[str, ...]
 
 
-def walks(a: SerialArm, b: SerialArm, angle: float, length: float) -> Iterator[Walk]:
+def walks(a: SerialArm, b: SerialArm, angle: float, length: float) -> Iterator[AlignmentPath]:
     """Every way to lay b along a with all axes within the tolerances."""
     targets = joint_starts(a)
 
-    def onward(walk: Walk, i: int) -> Iterator[Walk]:
+    def onward(walk: AlignmentPath, i: int) -> Iterator[AlignmentPath]:
         """`walk` has the axes up to i in place; joint i's zero is still open."""
         if i + 1 == b.n:
             yield walk
@@ -106,7 +108,7 @@ def walks(a: SerialArm, b: SerialArm, angle: float, length: float) -> Iterator[W
         yield from onward(_start(a, b, sign, targets), 0)
 
 
-def as_written(a: SerialArm, b: SerialArm) -> Iterator[Walk]:
+def as_written(a: SerialArm, b: SerialArm) -> Iterator[AlignmentPath]:
     """Arm b laid on a as its joint coordinates stand: only the base is fitted, to axes 1 and 2."""
     targets = joint_starts(a)
     walk = _start(a, b, 1.0, targets)
@@ -115,7 +117,7 @@ def as_written(a: SerialArm, b: SerialArm) -> Iterator[Walk]:
         walk = replace(walk, signs=(1.0, 1.0))
         for i in range(1, b.n):
             if i > 1:
-                here = walk.here @ b.links[i - 1].far_end
+                here = walk.here @ b.links[i - 1].link_tip_frame
                 walk = replace(
                     walk, here=here, signs=(*walk.signs, 1.0), offsets=(*walk.offsets, 0.0)
                 )
@@ -123,31 +125,33 @@ def as_written(a: SerialArm, b: SerialArm) -> Iterator[Walk]:
     yield walk
 
 
-def _start(a: SerialArm, b: SerialArm, sign: float, targets: list[Transform]) -> Walk:
+def _start(a: SerialArm, b: SerialArm, sign: float, targets: list[Transform]) -> AlignmentPath:
     """Axis 1 of b on axis 1 of a, by the smallest turn; the base may still turn and slide."""
     axis = sign * (targets[0].R @ a.joints[0].axis)
-    turn = smallest_turn(b.base.R @ b.joints[0].axis, axis)
+    rotation = smallest_rotation(b.base.R @ b.joints[0].axis, axis)
     # Slide along the axis is open; start with both base origins at the same height along it.
-    origin = targets[0].p - turn.R @ b.base.p
-    X = Transform(turn.R, origin - axis * (axis @ origin))
+    origin = targets[0].p - rotation.R @ b.base.p
+    X = Transform(rotation.R, origin - axis * (axis @ origin))
     owners = np.zeros((3 + b.n, 1))
     directions = axis[:, None]
     if b.joints[0].kind == "prismatic":  # no line at all, only a direction
         directions, owners = np.eye(3), np.zeros((3 + b.n, 3))
-        X = turn
+        X = rotation
     owners[:3] = directions
-    return Walk(X @ b.base, (sign,), (), Slack(directions, owners), np.zeros(3 + b.n), ())
+    return AlignmentPath(
+        X @ b.base, (sign,), (), FreeTranslation(directions, owners), np.zeros(3 + b.n), ()
+    )
 
 
 def _turns(
-    a: SerialArm, b: SerialArm, walk: Walk, i: int, targets: list[Transform]
-) -> Iterator[Walk]:
+    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
+) -> Iterator[AlignmentPath]:
     """Joint i of b turned so that what follows points as in a; the walk moves on to joint i + 1."""
     joint = b.joints[i]
     if joint.kind == "prismatic" and i > 0:
         direction = walk.here.R @ joint.axis
-        slack = walk.slack.with_slide(direction, i)
-        yield _arrived(a, b, replace(walk, slack=slack), i, 0.0, targets)
+        free_translation = walk.free_translation.with_slide(direction, i)
+        yield _arrived(a, b, replace(walk, free_translation=free_translation), i, 0.0, targets)
         return
     angles, certain = _zeros(a, b, walk, i, targets)
     for angle in angles:
@@ -162,7 +166,7 @@ def _turns(
 
 
 def _zeros(
-    a: SerialArm, b: SerialArm, walk: Walk, i: int, targets: list[Transform]
+    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
 ) -> tuple[list[float], bool]:
     """Angles of joint i that may bring what follows into place, and whether one of them must.
 
@@ -173,7 +177,7 @@ def _zeros(
     axis, back, ahead = b.joints[i].axis, walk.here.inverse(), Transform.identity()
     angles: list[float] = []
     for k in range(i + 1, b.n):
-        ahead = ahead @ b.links[k - 1].far_end
+        ahead = ahead @ b.links[k - 1].link_tip_frame
         standing = b.joints[i].kind == b.joints[k].kind == "revolute"
         r, s = across(ahead.p, axis), across(back.R @ targets[k].p + back.p, axis)
         lever = _shorter(r, s) if standing else 0.0
@@ -199,14 +203,14 @@ def _shorter(u: Array, v: Array) -> float:
 
 
 def _arrived(
-    a: SerialArm, b: SerialArm, walk: Walk, i: int, angle: float, targets: list[Transform]
-) -> Walk:
+    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, angle: float, targets: list[Transform]
+) -> AlignmentPath:
     """The walk at joint i + 1, with the sign that its axis turned out to have.
 
     What joint 1 had to turn, the base turns instead: the axis is the same.
     """
     moved = Transform.rotation(b.joints[i].axis, angle)
-    here = walk.here @ moved @ b.links[i].far_end
+    here = walk.here @ moved @ b.links[i].link_tip_frame
     along = (here.R @ b.joints[i + 1].axis) @ (targets[i + 1].R @ a.joints[i + 1].axis)
     sign = 1.0 if along >= 0.0 else -1.0
     return replace(
@@ -217,18 +221,22 @@ def _arrived(
     )
 
 
-def _place(a: SerialArm, b: SerialArm, walk: Walk, i: int, targets: list[Transform]) -> Walk:
+def _place(
+    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
+) -> AlignmentPath:
     """Let the slack carry axis i onto its counterpart as far as it can."""
     if b.joints[i].kind == "prismatic":
         return walk
     along = targets[i].R @ a.joints[i].axis
-    slack, shift, meaning = walk.slack.taken_up(targets[i].p - walk.here.p, along)
+    free_translation, shift, meaning = walk.free_translation.taken_up(
+        targets[i].p - walk.here.p, along
+    )
     here = Transform(walk.here.R, walk.here.p + shift)
-    return replace(walk, here=here, slack=slack, slid=walk.slid + meaning)
+    return replace(walk, here=here, free_translation=free_translation, slid=walk.slid + meaning)
 
 
 def _gap(
-    a: SerialArm, b: SerialArm, walk: Walk, i: int, targets: list[Transform]
+    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
 ) -> tuple[float, float]:
     """Angle [rad] and distance [m] between axis i of b, as laid, and axis i of a."""
     u = walk.signs[i] * (walk.here.R @ b.joints[i].axis)
@@ -239,27 +247,31 @@ def _gap(
     return angle, float(np.linalg.norm(across(walk.here.p - targets[i].p, t)))
 
 
-def met_at_the_tool(a: SerialArm, b: SerialArm, walk: Walk) -> tuple[Walk, float, tuple[str, ...]]:
+def met_at_the_tool(
+    a: SerialArm, b: SerialArm, walk: AlignmentPath
+) -> tuple[AlignmentPath, float, tuple[str, ...]]:
     """The last joint's zero, and the last slack, if there is a common tool frame to show them."""
-    last, joint, P = b.n - 1, b.joints[-1], b.links[-1].far_end
+    last, joint, P = b.n - 1, b.joints[-1], b.links[-1].link_tip_frame
     tool_a = tool_pose(a)
-    turn = Transform.identity()
+    rotation = Transform.identity()
     if joint.kind == "revolute" or last == 0:
         angle = tool_angle(walk.here.R @ joint.axis, walk.here @ P, tool_a)
-        turn = Transform.rotation(joint.axis, angle)
-    slack = walk.slack
+        rotation = Transform.rotation(joint.axis, angle)
+    free_translation = walk.free_translation
     if joint.kind == "prismatic" and last > 0:
-        slack = slack.with_slide(walk.here.R @ joint.axis, last)
-    slack, shift, meaning = slack.taken_up(tool_a.p - (walk.here @ turn @ P).p)
-    rest = tool_a.inverse() @ Transform.translation(shift) @ walk.here @ turn @ P
+        free_translation = free_translation.with_slide(walk.here.R @ joint.axis, last)
+    free_translation, shift, meaning = free_translation.taken_up(
+        tool_a.p - (walk.here @ rotation @ P).p
+    )
+    rest = tool_a.inverse() @ Transform.translation(shift) @ walk.here @ rotation @ P
     if rest.angle() > NEAR_ANGLE or np.linalg.norm(rest.p) > NEAR_LENGTH:
         said = f"the zero of joint {b.n} ({a.joints[last].name})"
-        if walk.slack.directions.shape[1]:
+        if walk.free_translation.directions.shape[1]:
             said += " and a shift along parallel axes"
         return walk, 0.0, (f"{said}: only a common tool frame shows it, and these arms have none",)
     own = walk.here.R @ joint.axis * meaning[3 + last]  # the last joint's slide moves its link only
     here = Transform(walk.here.R, walk.here.p + shift - own)
-    met = replace(walk, here=here, slack=slack, slid=walk.slid + meaning)
+    met = replace(walk, here=here, free_translation=free_translation, slid=walk.slid + meaning)
     if last == 0:  # a single joint: its zero and a turn of the base are one freedom
-        return replace(met, here=here @ turn), 0.0, ()
-    return met, (signed_angle(turn.R, joint.axis) if joint.kind == "revolute" else 0.0), ()
+        return replace(met, here=here @ rotation), 0.0, ()
+    return met, (signed_angle(rotation.R, joint.axis) if joint.kind == "revolute" else 0.0), ()

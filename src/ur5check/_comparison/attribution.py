@@ -29,14 +29,14 @@ from .._robot.transforms import Array
 from .arm_pair import Pair, Side
 from .shapley import shares, weight
 
-__all__ = ["PARAMETER_OWNERS", "Attribution", "Owner", "attribute"]
+__all__ = ["PARAMETER_CONTRIBUTIONS", "Attribution", "Contribution", "attribute"]
 
-OwnerKind = Literal[
+ContributionKind = Literal[
     "geometry", "gravity", "motor inertia", "mass", "centre of mass", "tensor",
     "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
 ]  # fmt: skip
 #: `arm.PARAMETERS` as owners: what `attribution_detail.by_parameter` splits among.
-PARAMETER_OWNERS: tuple[OwnerKind, ...] = (
+PARAMETER_CONTRIBUTIONS: tuple[ContributionKind, ...] = (
     "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
 )  # fmt: skip
 #: Two torques, each rounded some 32 times a joint by ε of the largest.
@@ -45,14 +45,14 @@ _ROUNDING = 64 * float(np.finfo(np.float64).eps)
 #: Owners whose parts add up to more than this many times the difference work against each other.
 _CANCELS = 3.0
 
-_INERTIAL: tuple[OwnerKind, ...] = ("mass", "centre of mass", "tensor")
+_INERTIAL: tuple[ContributionKind, ...] = ("mass", "centre of mass", "tensor")
 
 
 @dataclass(frozen=True)
-class Owner:
+class Contribution:
     """What a part of a torque difference belongs to; `link` counts from 1, None: the whole arm."""
 
-    kind: OwnerKind
+    kind: ContributionKind
     link: int | None = None
 
 
@@ -66,7 +66,7 @@ class Attribution:
     """
 
     delta: Array
-    owners: tuple[Owner, ...]
+    contributions: tuple[Contribution, ...]
     torque: Array
     rounding: float
 
@@ -86,7 +86,7 @@ class Attribution:
         others.  All zero where there is no difference but rounding, which nobody owns.
         """
         if float(np.abs(self.delta).max()) <= self.rounding:
-            return np.zeros(len(self.owners))
+            return np.zeros(len(self.contributions))
         power = float((self.delta**2).sum())
         return np.asarray((self.torque * self.delta).sum(axis=(1, 2)) / power)
 
@@ -98,7 +98,7 @@ class Attribution:
         zero where there is no difference but rounding in any part.
         """
         if float(np.abs(self.torque).max()) <= self.rounding:
-            return np.zeros(len(self.owners))
+            return np.zeros(len(self.contributions))
         sizes = np.sqrt((self.torque**2).mean(axis=(1, 2)))
         return np.asarray(sizes / sizes.sum())
 
@@ -139,12 +139,18 @@ def attribute(pair: Pair, states: States) -> Attribution:
     for (side, gravity_side), share in weights.items():
         Y = torque_regressor(pair.arm(side, side, gravity_side), q, qd, qdd)
         inertial += share * np.concatenate(_per_link(Y, dpi, pair, side))
-    owners = [Owner("geometry"), Owner("gravity"), Owner("motor inertia")]
-    owners += [Owner(kind, link) for link in range(1, pair.a.n + 1) for kind in _INERTIAL]
+    contributions = [
+        Contribution("geometry"),
+        Contribution("gravity"),
+        Contribution("motor inertia"),
+    ]
+    contributions += [
+        Contribution(kind, link) for link in range(1, pair.a.n + 1) for kind in _INERTIAL
+    ]
     tau_a, tau_b = torque((True, True, True)), torque((False, False, False))
     rounding = _ROUNDING * pair.a.n * float(max(np.abs(tau_a).max(), np.abs(tau_b).max()))
     torques = np.concatenate([geometry_share[None], gravity_share[None], motors[None], inertial])
-    return Attribution(tau_a - tau_b, tuple(owners), torques, rounding)
+    return Attribution(tau_a - tau_b, tuple(contributions), torques, rounding)
 
 
 def _per_link(Y: Array, dpi: Array, pair: Pair, geometry: Side) -> list[Array]:

@@ -12,7 +12,7 @@ from .._robot.inertia import parameter_map
 from .._robot.states import States
 from .._robot.transforms import Array
 from .arm_pair import Pair, Side
-from .attribution import PARAMETER_OWNERS, Attribution, Owner, attribute
+from .attribution import PARAMETER_CONTRIBUTIONS, Attribution, Contribution, attribute
 from .shapley import weight
 
 __all__ = ["TermAttribution", "by_parameter", "by_term"]
@@ -43,10 +43,14 @@ def by_parameter(pair: Pair, states: States) -> Attribution:
         Y += weight(changed, 3) * (part if geometry == "a" else _in_frames_of_a(part, pair))
     whole = attribute(pair, states)
     parameters = np.moveaxis(Y * pair.parameter_difference(), -1, 0)
-    owners = [Owner(name, link) for link in range(1, pair.a.n + 1) for name in PARAMETER_OWNERS]
+    contributions = [
+        Contribution(name, link)
+        for link in range(1, pair.a.n + 1)
+        for name in PARAMETER_CONTRIBUTIONS
+    ]
     return Attribution(
         whole.delta,
-        (*whole.owners[:3], *owners),
+        (*whole.contributions[:3], *contributions),
         np.concatenate([whole.torque[:3], parameters]),
         whole.rounding,
     )

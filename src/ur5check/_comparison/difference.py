@@ -62,7 +62,7 @@ def diff(
 
     Parameters
     ----------
-    a, b : a catalogue name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    a, b : a list of mistakes name, a path, a `pin.Model` or a `SerialArm` (see `load`)
     samples, seed : how many random states, drawn from which seed (see `random_states`)
     gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
 

@@ -6,20 +6,30 @@ import numpy as np
 
 from .._robot.transforms import Transform
 from .alignment import SAME_ANGLE, SAME_LENGTH
-from .attribution import Owner
+from .attribution import Contribution
 from .difference import Difference
 
-__all__ = ["base_in_words", "listed", "owner_in_words", "owners_in_words", "tell"]
+__all__ = [
+    "base_in_words",
+    "contribution_in_words",
+    "contributions_in_words",
+    "listed",
+    "summarize",
+]
 
 _WORTH_A_WORD = 0.02  # an owner of less than 2 % of the mean square difference is left to the table
 _STANDS_OUT = 3.0  # principal moments further apart than this are named
 
 
-def tell(difference: Difference) -> tuple[str, ...]:
+def summarize(difference: Difference) -> tuple[str, ...]:
     """Three to six sentences: verdict, geometry, gravity, owners, what stands out, what is left."""
     sentences = [_verdict(difference), _geometry(difference)]
     if not difference.agrees:
-        sentences += [_gravity(difference), owners_in_words(difference), _outliers(difference)]
+        sentences += [
+            _gravity(difference),
+            contributions_in_words(difference),
+            _outliers(difference),
+        ]
     sentences.append(_account(difference))
     return tuple(sentence for sentence in sentences if sentence)
 
@@ -34,9 +44,13 @@ def base_in_words(T: Transform) -> str:
     return " and ".join(parts) or "the same"
 
 
-def owner_in_words(owner: Owner) -> str:
+def contribution_in_words(contribution: Contribution) -> str:
     """An owner as "link 2, centre of mass"."""
-    return owner.kind if owner.link is None else f"link {owner.link}, {owner.kind}"
+    return (
+        contribution.kind
+        if contribution.link is None
+        else f"link {contribution.link}, {contribution.kind}"
+    )
 
 
 def _verdict(d: Difference) -> str:
@@ -106,12 +120,12 @@ def _gravity(d: Difference) -> str:
     return f"Different gravity: {g_a.tolist()} against {g_b.tolist()} m/s²."
 
 
-def owners_in_words(d: Difference) -> str:
+def contributions_in_words(d: Difference) -> str:
     """Who owns most of the difference."""
     share = d.attribution.share()
     order = np.argsort(-share)
     named = [
-        f"{owner_in_words(d.attribution.owners[k])} {share[k]:.0%}"
+        f"{contribution_in_words(d.attribution.contributions[k])} {share[k]:.0%}"
         for k in order[:4]
         if share[k] > _WORTH_A_WORD
     ]
@@ -144,8 +158,8 @@ def _axis_in_words(T: Transform) -> str:
     outer = T.R + T.R.T - (np.trace(T.R) - 1.0) * np.eye(3)
     u = outer[:, int(np.abs(np.diag(outer)).argmax())]
     u = u / np.linalg.norm(u)
-    turn = np.array([T.R[2, 1] - T.R[1, 2], T.R[0, 2] - T.R[2, 0], T.R[1, 0] - T.R[0, 1]])
-    if u @ turn < 0.0 or (abs(u @ turn) < 1e-12 and u[np.abs(u).argmax()] < 0.0):
+    rotation = np.array([T.R[2, 1] - T.R[1, 2], T.R[0, 2] - T.R[2, 0], T.R[1, 0] - T.R[0, 1]])
+    if u @ rotation < 0.0 or (abs(u @ rotation) < 1e-12 and u[np.abs(u).argmax()] < 0.0):
         u = -u
     for k, name in enumerate("xyz"):
         if abs(abs(u[k]) - 1.0) < SAME_ANGLE:

@@ -12,7 +12,7 @@ __all__ = [
     "angle_about",
     "joint_starts",
     "signed_angle",
-    "smallest_turn",
+    "smallest_rotation",
     "tool_angle",
     "tool_pose",
 ]
@@ -23,7 +23,7 @@ def joint_starts(arm: SerialArm) -> list[Transform]:
     starts, T = [], arm.base
     for link in arm.links:
         starts.append(T)
-        T = T @ link.far_end
+        T = T @ link.link_tip_frame
     return starts
 
 
@@ -31,7 +31,7 @@ def tool_pose(arm: SerialArm) -> Transform:
     """Pose of the tool at q = 0, in the base frame."""
     T = arm.base
     for link in arm.links:
-        T = T @ link.far_end
+        T = T @ link.link_tip_frame
     return T
 
 
@@ -51,7 +51,7 @@ def signed_angle(R: Array, axis: Array) -> float:
     return float(np.arctan2(axis @ vector, np.trace(R) - 1.0))
 
 
-def smallest_turn(start: Array, end: Array) -> Transform:
+def smallest_rotation(start: Array, end: Array) -> Transform:
     """The smallest rotation that takes one unit vector to another."""
     normal = np.cross(start, end)
     sine, cosine = float(np.linalg.norm(normal)), float(start @ end)

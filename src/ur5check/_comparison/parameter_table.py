@@ -19,7 +19,7 @@ class LinkParameters:
     """One link's numbers in both arms, in the frame in which arm a's source wrote them.
 
     link : number, from 1;  name_a, name_b : the link's name in either source
-    reach_a, reach_b : from the link's joint to its far end, shape (3,) [m]: r_{i−1,i} of a DH
+    reach_a, reach_b : from the link's joint to its tip frame, shape (3,) [m]: r_{i−1,i} of a DH
         listing, the next joint's origin of a URDF.  Where axes coincide, two files may still put
         frames at different places along them; then these differ and nothing else does.
     """
@@ -78,5 +78,5 @@ def compare_parameters(pair: Pair) -> tuple[LinkParameters, ...]:
 
 
 def _reach(link: Link) -> Array:
-    """r_{i−1,i}: from the joint to the far end, in frame i."""
-    return link.far_end.R.T @ link.far_end.p
+    """r_{i−1,i}: from the joint to the tip frame, in frame i."""
+    return link.link_tip_frame.R.T @ link.link_tip_frame.p

@@ -1,1 +1,1 @@
-"""The hand-written side: one recursion, asked many questions.  Never imports a referee."""
+"""The hand-written side: one recursion, asked many questions.  Never imports a reference engine."""

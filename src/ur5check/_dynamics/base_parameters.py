@@ -28,7 +28,9 @@ __all__ = ["SAME_DIRECTION", "Decomposition", "decompose"]
 #: microradian and the micrometre of `alignment`.
 SAME_DIRECTION = 1e-6
 
-_DUST = 1e-12  # of a coefficient that is zero: rounding of V, some hundred times amplified
+_ZERO_TOLERANCE = (
+    1e-12  # of a coefficient that is zero: rounding of V, some hundred times amplified
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +74,7 @@ def decompose(Y: Array, scale: Array, preference: Sequence[int]) -> Decompositio
     beta = np.zeros((rank, 0))
     if dependent:
         beta = -np.linalg.solve(V2[list(dependent)].T, V2[list(base)].T).T
-        beta[np.abs(beta) < _DUST] = 0.0
+        beta[np.abs(beta) < _ZERO_TOLERANCE] = 0.0
         beta = beta * scale[list(dependent)] / scale[list(base)][:, None]
     seen, unseen = (np.linalg.norm(rows, axis=0) for rows in (Vt[:rank], Vt[rank:]))
     return Decomposition(rank, float(falls[rank - 1]), s, base, dependent, beta, seen, unseen)

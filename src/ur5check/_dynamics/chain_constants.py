@@ -45,7 +45,7 @@ class LinkConstants:
         """R_i, from the cosine and sine of q_i."""
         return Rotation(self, 1.0, 0.0) if self.prismatic else Rotation(self, cos, sin)
 
-    def reach(self, q: Scalar) -> Vector:
+    def link_vector(self, q: Scalar) -> Vector:
         """r_{i−1,i}."""
         return self.r + self.b * q if self.prismatic else self.r
 
@@ -85,7 +85,7 @@ def chain_of(arm: SerialArm) -> Chain:
     """The constants of an arm.  An arm never changes, so they are worked out once."""
     links = []
     for joint, link in zip(arm.joints, arm.links, strict=True):
-        P, C = link.far_end, _z_onto(joint.axis)
+        P, C = link.link_tip_frame, _z_onto(joint.axis)
         links.append(
             LinkConstants(
                 prismatic=joint.kind == "prismatic",

@@ -176,7 +176,7 @@ def _kinetic(chain: Chain, state: JointState) -> Scalar:
             v = v + link.b * qd
         else:
             w = w + link.b * qd
-        r = link.reach(q)
+        r = link.link_vector(q)
         v_c = v + w.cross(r + link.c)
         energy = energy + 0.5 * (link.m * v_c.dot(v_c) + w.dot(link.I @ w))
         energy = energy + 0.5 * link.armature * qd * qd

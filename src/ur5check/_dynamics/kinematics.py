@@ -49,7 +49,7 @@ def frames(chain: Chain, state: JointState) -> list[Frame]:
     for link, q, cos, sin in zip(chain.links, state.q, state.cos, state.sin, strict=True):
         R = link.rotation(cos, sin)
         axes = [frame.direction(R @ axis) for axis in _UNIT]
-        p = frame.point(R @ link.reach(q))
+        p = frame.point(R @ link.link_vector(q))
         frame = Frame((axes[0], axes[1], axes[2]), p)
         poses.append(frame)
     return poses

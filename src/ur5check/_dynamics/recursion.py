@@ -1,8 +1,9 @@
 """The paper's recursive Newton–Euler algorithm: torques from motion (SSRN 3939013, eqs 9–15).
 
-Frame i sits at the far end of link i, gravity is carried from link to link as a vector of its own,
-and every vector of link i is written in frame i.  With b_i the joint axis, r_{i−1,i} from origin to
-origin and r_{i,ci} from the far origin to the centre of mass, r_{i−1,ci} = r_{i−1,i} + r_{i,ci}:
+Frame i sits at the tip frame of link i, gravity is carried from link to link as a vector of its
+own, and every vector of link i is written in frame i.  With b_i the joint axis, r_{i−1,i} from
+origin to origin and r_{i,ci} from the far origin to the centre of mass, r_{i−1,ci} = r_{i−1,i} +
+r_{i,ci}:
 
   outward, i = 1 … n, from rest:
     ω_i     = R_iᵀ ω_{i−1} + b_i q̇_i                                                          (9)
@@ -24,8 +25,8 @@ accelerations in place of its share of (9) and (10), and feels b_i · f_i.
 Two liberties for `closed_form`, which cost nothing where they are not taken.  A link may be held
 about another point than its centre of mass: it then has a first moment h_i about that point, which
 adds α_i × h_i + ω_i × (ω_i × h_i) to f_i and h_i × (a_{c,i} − g_i) to τ_i.  And the base may
-accelerate: by `lift` = −g_0 instead of gravity, which no joint can tell apart (Luh, Walker & Paul
-1980).
+accelerate: by `base_acceleration` = −g_0 instead of gravity, which no joint can tell apart (Luh,
+Walker & Paul 1980).
 """
 
 from __future__ import annotations
@@ -65,15 +66,15 @@ class LinkMotion:
 
 
 def outward(
-    chain: Chain, state: JointState, gravity: Vector, lift: Vector = ZERO
+    chain: Chain, state: JointState, gravity: Vector, base_acceleration: Vector = ZERO
 ) -> list[LinkMotion]:
     """Eqs (9)–(13): the motion of every link, from base to tip."""
     motions: list[LinkMotion] = []
-    w, dw, a, g = ZERO, ZERO, lift, gravity
+    w, dw, a, g = ZERO, ZERO, base_acceleration, gravity
     for link, q, cos, sin, qd, qdd in zip(
         chain.links, state.q, state.cos, state.sin, state.qd, state.qdd, strict=True
     ):
-        R, r, b = link.rotation(cos, sin), link.reach(q), link.b
+        R, r, b = link.rotation(cos, sin), link.link_vector(q), link.b
         w, dw, a, g = R.back(w), R.back(dw), R.back(a), R.back(g)
         if link.prismatic:
             a = a + b * qdd + w.cross(b * (2.0 * qd))
@@ -109,10 +110,10 @@ def inward(motions: list[LinkMotion]) -> list[Scalar]:
 
 
 def joint_torques(
-    chain: Chain, state: JointState, gravity: Vector, lift: Vector = ZERO
+    chain: Chain, state: JointState, gravity: Vector, base_acceleration: Vector = ZERO
 ) -> list[Scalar]:
     """τ of one block of states: out along the arm and back, and what the motors themselves ask."""
-    torques = inward(outward(chain, state, gravity, lift))
+    torques = inward(outward(chain, state, gravity, base_acceleration))
     return [
         plus(torque, times(link.armature, qdd))
         for torque, link, qdd in zip(torques, chain.links, state.qdd, strict=True)

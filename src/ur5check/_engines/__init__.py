@@ -1,1 +1,2 @@
-"""The referees: other people's dynamics, asked the same questions; imported only when used."""
+"""The reference engines: other people's dynamics, asked the same questions; imported only when
+used."""

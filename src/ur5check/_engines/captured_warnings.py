@@ -13,13 +13,13 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-__all__ = ["listening"]
+__all__ = ["capturing"]
 
 _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 @contextmanager
-def listening() -> Iterator[list[str]]:
+def capturing() -> Iterator[list[str]]:
     """The lines that compiled code prints meanwhile; filled when the block ends.
 
     For short blocks in one thread: file descriptors belong to the whole process.

@@ -9,7 +9,7 @@
         conformance.check(MyEngine, case, law)
 
 An engine that is known to misread a file is given the file that it reads rightly:
-`lambda arm, gravity: DartEngine(habits.remedied(arm, "dart"), gravity)`.
+`lambda arm, gravity: DartEngine(known_issues.repaired(arm, "dart"), gravity)`.
 
 What is asked is compared with the hand-written recursion on an arm that was put down by hand
 (`conformance_arms`), never with a reading of the same text.
@@ -26,8 +26,8 @@ from .._robot.states import States, random_states
 from .._robot.transforms import Array
 from .conformance_arms import CASES, Case
 from .engine import Engine, MakeEngine
-from .imported_model import Holdings, moving_inertias
-from .recursion_engine import OwnEngine
+from .imported_model import ImportedModel, moving_inertias
+from .recursion_engine import RecursionEngine
 
 __all__ = ["CASES", "LAWS", "Case", "Law", "check", "violations"]
 
@@ -44,7 +44,7 @@ class _Trial:
 
     case: Case
     engine: Engine
-    own: OwnEngine
+    own: RecursionEngine
     states: States
 
 
@@ -66,7 +66,7 @@ def check(make: MakeEngine, case: Case, law: Law) -> None:
     trial = _Trial(
         case,
         make(case.arm, case.gravity),
-        OwnEngine(case.arm, case.gravity),
+        RecursionEngine(case.arm, case.gravity),
         random_states(n, _STATES, _SEED),
     )
     value, size = law.measure(trial)
@@ -134,12 +134,12 @@ def _shapes(t: _Trial) -> tuple[float, float]:
     return _gap(t.engine.inverse_dynamics(q, qd, qdd), t.own.inverse_dynamics(q, qd, qdd))
 
 
-def _holdings(t: _Trial) -> tuple[Holdings, Holdings]:
-    return t.engine.holdings(), t.own.holdings()
+def _imported_model(t: _Trial) -> tuple[ImportedModel, ImportedModel]:
+    return t.engine.imported_model(), t.own.imported_model()
 
 
 def _held_joints(t: _Trial) -> tuple[float, float]:
-    theirs, ours = _holdings(t)
+    theirs, ours = _imported_model(t)
     held = {joint.name: joint for joint in theirs.joints}
     if set(held) != set(t.case.arm.joint_names) or len(held) != len(theirs.joints):
         return float("inf"), 1.0
@@ -150,14 +150,14 @@ def _held_joints(t: _Trial) -> tuple[float, float]:
 
 
 def _held_bodies(t: _Trial) -> tuple[float, float]:
-    theirs, _ = _holdings(t)
+    theirs, _ = _imported_model(t)
     groups = moving_inertias(theirs, t.case.arm)
     parameters = np.concatenate([group.parameters() for group in groups])
     return _gap(parameters, t.case.arm.parameters())
 
 
 def _held_tool(t: _Trial) -> tuple[float, float]:
-    theirs, ours = _holdings(t)
+    theirs, ours = _imported_model(t)
     return _gap(theirs.tool, ours.tool)
 
 

@@ -153,8 +153,13 @@ def in_text() -> SerialArm:
         Joint("turn", np.array([-1.0, 0, 0]), "revolute", Limits(velocity=4, effort=12)),
     )
     links = tuple(
-        Link(name, far_end, inertia.expressed_in(far_end.inverse()), far_end.inverse())
-        for name, far_end, inertia in (
+        Link(
+            name,
+            link_tip_frame,
+            inertia.expressed_in(link_tip_frame.inverse()),
+            link_tip_frame.inverse(),
+        )
+        for name, link_tip_frame, inertia in (
             ("shoulder", starts[1], shoulder),
             ("slider", starts[2], slider),
             ("hand", tool, hand + camera + finger),

@@ -1,8 +1,9 @@
-"""DART as referee: its inverse dynamics, articulated-body forward dynamics, and mass matrix.
+"""DART as reference engine: its inverse dynamics, articulated-body forward dynamics, and mass
+matrix.
 
 `dartpy` parses with urdfdom, as Pinocchio does, but keeps a body for every link.  Damping, dry
-friction and springs are set to zero once they have been noted for `holdings`: DART folds damping
-into its articulated inertia, and what is compared is the rigid-body model.
+friction and springs are set to zero once they have been noted for `imported_model`: DART folds
+damping into its articulated inertia, and what is compared is the rigid-body model.
 """
 
 from __future__ import annotations
@@ -19,10 +20,10 @@ from .._errors import EngineError
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import Joint, Limits, Link, SerialArm
 from .._robot.transforms import Array, Transform
-from .captured_warnings import listening
+from .captured_warnings import capturing
 from .each_state import each_state
 from .engine_urdf import text_for_engines
-from .imported_model import HeldBody, Holdings
+from .imported_model import HeldBody, ImportedModel
 
 __all__ = ["DartEngine"]
 
@@ -45,7 +46,7 @@ class DartEngine:
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
         self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
-        with listening() as said:
+        with capturing() as said:
             skeleton = _built(arm) if arm.source.urdf is None else _parsed(arm)
         if skeleton is None:
             raise EngineError(
@@ -139,12 +140,12 @@ class DartEngine:
         self.skeleton.integratePositions(dt)
         return self._of(self.skeleton.getPositions()), self._of(self.skeleton.getVelocities())
 
-    def holdings(self) -> Holdings:
+    def imported_model(self) -> ImportedModel:
         """What the `Skeleton` holds: a body for every link."""
         zero = np.zeros(self.arm.n)
         self._place(zero, zero)
         nodes = [self.skeleton.getBodyNode(k) for k in range(self.skeleton.getNumBodyNodes())]
-        return Holdings(
+        return ImportedModel(
             self._joints,
             tuple(self._held_body(node) for node in nodes),
             self._gravity_read,
@@ -197,7 +198,7 @@ class DartEngine:
     def _tool(self) -> Transform:
         if self.route == "SerialArm":
             last = self.skeleton.getBodyNode(self.skeleton.getNumBodyNodes() - 1)
-            return _pose(last) @ self.arm.links[-1].far_end
+            return _pose(last) @ self.arm.links[-1].link_tip_frame
         return self._T_base_world @ _pose(self.skeleton.getBodyNode(self.arm.source.tip))
 
     def _place(self, q: Array, qd: Array) -> None:
@@ -240,7 +241,7 @@ def _built(arm: SerialArm) -> Any:
     node, placement = None, arm.base
     for joint, link in zip(arm.joints, arm.links, strict=True):
         node = _add(skeleton, node, joint, link, placement)
-        placement = link.far_end
+        placement = link.link_tip_frame
     return skeleton
 
 
@@ -257,6 +258,6 @@ def _add(skeleton: Any, parent: Any, joint: Joint, link: Link, placement: Transf
     properties.mT_ParentBodyToJoint = dartpy.math.Isometry3(placement.matrix())
     _, node = create(parent, properties)
     node.setName(link.name)
-    here = link.inertia.expressed_in(link.far_end)
+    here = link.inertia.expressed_in(link.link_tip_frame)
     node.setInertia(dynamics.Inertia(here.mass, here.com, here.tensor))
     return node

@@ -1,7 +1,7 @@
-"""Drake as referee: `MultibodyPlant`'s inverse dynamics, mass matrix and time derivatives.
+"""Drake as reference engine: `MultibodyPlant`'s inverse dynamics, mass matrix and time derivatives.
 
 The root link is welded to the world (left to itself, Drake lets it float), and the plant is
-continuous.  Damping is set to zero once it has been noted for `holdings`.
+continuous.  Damping is set to zero once it has been noted for `imported_model`.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from .._robot.serial_arm import Joint, Limits, SerialArm
 from .._robot.transforms import Array, Transform
 from .each_state import each_state
 from .engine_urdf import parsed, root_link, text_for_engines
-from .imported_model import HeldBody, Holdings
+from .imported_model import HeldBody, ImportedModel
 
 __all__ = ["DrakeEngine"]
 
@@ -137,7 +137,7 @@ class DrakeEngine:
 
         return self._each(gravity, q)
 
-    def holdings(self) -> Holdings:
+    def imported_model(self) -> ImportedModel:
         """What the `MultibodyPlant` holds: a body for every link."""
         zero = np.zeros(self.arm.n)
         self._place(zero, zero)
@@ -146,7 +146,7 @@ class DrakeEngine:
             joint = self.plant.get_joint(k)
             above[int(joint.child_body().index())] = joint
         bodies = [self.plant.get_body(BodyIndex(k)) for k in range(1, self.plant.num_bodies())]
-        return Holdings(
+        return ImportedModel(
             tuple(self._held_joint(i) for i in np.argsort(self._order)),
             tuple(self._held_body(body, above) for body in bodies),
             self._gravity_read,
@@ -239,7 +239,9 @@ def _build(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
     """Hand the arm over joint by joint; returns as `_parse` does."""
     body, placement = plant.world_body(), arm.base
     for joint, link in zip(arm.joints, arm.links, strict=True):
-        child = plant.AddRigidBody(link.name, _spatial(link.inertia.expressed_in(link.far_end)))
+        child = plant.AddRigidBody(
+            link.name, _spatial(link.inertia.expressed_in(link.link_tip_frame))
+        )
         start = plant.AddFrame(
             FixedOffsetFrame(f"{joint.name}_start", body.body_frame(), _rigid(placement))
         )
@@ -248,7 +250,7 @@ def _build(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
         if joint.armature:
             motor = plant.AddJointActuator(f"{joint.name}_motor", added)
             motor.set_default_rotor_inertia(joint.armature)
-        body, placement = child, link.far_end
+        body, placement = child, link.link_tip_frame
     return plant.world_frame(), body.body_frame(), placement
 
 

@@ -1,11 +1,11 @@
-"""What a referee can be asked.
+"""What a reference engine can be asked.
 
 All arrays are shape (..., n) in the joint order of the arm that the engine was made for; gravity
 is in that arm's base frame and is fixed when the engine is made.
 
-    Engine ── any referee: torques, accelerations, M, C q̇ + g, g, the tool's pose, and what it holds
-    ├─ Referee ── one that also shows its C and its regressor: the laws need both
-    └─ Stepper ── one that also moves in time, by its own integrator
+    Engine ── any reference engine: torques, accelerations, M, C q̇ + g, g, the tool's pose, and
+    what it holds ├─ Reference engine ── one that also shows its C and its regressor: the laws need
+    both └─ Stepper ── one that also moves in time, by its own integrator
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from numpy.typing import ArrayLike
 
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from .imported_model import Holdings
+from .imported_model import ImportedModel
 
-__all__ = ["Engine", "MakeEngine", "Referee", "Stepper"]
+__all__ = ["Engine", "MakeEngine", "ReferenceEngine", "Stepper"]
 
 
 class Engine(Protocol):
@@ -53,7 +53,7 @@ class Engine(Protocol):
         """g(q), shape (..., n) [N m]."""
         ...
 
-    def holdings(self) -> Holdings:
+    def imported_model(self) -> ImportedModel:
         """The joints and bodies that the engine holds after reading, in its own words."""
         ...
 
@@ -72,7 +72,7 @@ class MakeEngine(Protocol):
         ...
 
 
-class Referee(Engine, Protocol):
+class ReferenceEngine(Engine, Protocol):
     """An engine that shows all that the laws ask for."""
 
     def coriolis_matrix(self, q: Array, qd: Array) -> Array:

@@ -1,4 +1,4 @@
-"""iDynTree as referee: `KinDynComputations` on its base link, held still.
+"""iDynTree as reference engine: `KinDynComputations` on its base link, held still.
 
 iDynTree knows floating bases only.  A fixed base is one that does not accelerate, so the joints'
 rows and columns of its equations are those of the arm.  It offers no forward dynamics of such an
@@ -19,10 +19,10 @@ from .._errors import EngineError
 from .._robot.inertia import Inertia
 from .._robot.serial_arm import STANDARD_GRAVITY, Joint, Limits, SerialArm
 from .._robot.transforms import Array, Transform
-from .captured_warnings import listening
+from .captured_warnings import capturing
 from .each_state import each_state
 from .engine_urdf import text_for_engines
-from .imported_model import HeldBody, Holdings
+from .imported_model import HeldBody, ImportedModel
 
 with warnings.catch_warnings():
     # SWIG's types warn of their own making as they are created, and crash the interpreter where
@@ -48,7 +48,7 @@ class IDynTreeEngine:
         self.arm = arm
         self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
         self._computing = idyn.KinDynComputations()
-        with listening() as said:
+        with capturing() as said:
             self.model = _built(arm) if arm.source.urdf is None else _parsed(arm)
             taken = self.model is not None and self._computing.loadRobotModel(self.model)
         self.said = tuple(said)
@@ -128,11 +128,11 @@ class IDynTreeEngine:
 
         return self._each(gravity, q)
 
-    def holdings(self) -> Holdings:
+    def imported_model(self) -> ImportedModel:
         """What the `Model` holds: massless links at the ends have become frames."""
         self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
         moving = [k for k in range(self.model.getNrOfJoints()) if k in self._ids]
-        return Holdings(
+        return ImportedModel(
             tuple(
                 self._held_joint(k)
                 for k in sorted(moving, key=lambda k: self.model.getJoint(k).getDOFsOffset())
@@ -206,7 +206,7 @@ class IDynTreeEngine:
     def _tool(self) -> Transform:
         if self.route == "SerialArm":
             last = self._frame(_link_name(self.arm.n))
-            return last @ self.arm.links[-1].far_end
+            return last @ self.arm.links[-1].link_tip_frame
         return self._T_base_world @ self._frame(self.arm.source.tip)
 
     def _place(self, q: Array, qd: Array) -> None:
@@ -241,14 +241,14 @@ def _built(arm: SerialArm) -> Any:
     model.addLink("base", _link(Inertia.zero()))
     placement = arm.base
     for i, (joint, link) in enumerate(zip(arm.joints, arm.links, strict=True), start=1):
-        model.addLink(_link_name(i), _link(link.inertia.expressed_in(link.far_end)))
+        model.addLink(_link_name(i), _link(link.inertia.expressed_in(link.link_tip_frame)))
         added = idyn.PrismaticJoint() if joint.kind == "prismatic" else idyn.RevoluteJoint()
         added.setAttachedLinks(i - 1, i)
         added.setRestTransform(_transform(placement))
         direction = idyn.Direction(*map(float, joint.axis))
         added.setAxis(idyn.Axis(direction, idyn.Position.Zero()), i, i - 1)
         model.addJoint(joint.name, added)
-        placement = link.far_end
+        placement = link.link_tip_frame
     model.setDefaultBaseLink(0)
     return model
 

@@ -19,7 +19,7 @@ from .._robot.inertia import Inertia
 from .._robot.serial_arm import Joint, SerialArm
 from .._robot.transforms import Array, Transform
 
-__all__ = ["HeldBody", "Holdings", "believed_arm", "moving_inertias", "strict_holdings"]
+__all__ = ["HeldBody", "ImportedModel", "imported_arm", "moving_inertias", "strict_imported_model"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +36,7 @@ class HeldBody:
 
 
 @dataclass(frozen=True, eq=False)
-class Holdings:
+class ImportedModel:
     """What an engine believes.
 
     joints : in the engine's own order; `axis` in the arm's base frame at q = 0.  A limit that the
@@ -56,30 +56,30 @@ class Holdings:
     said: tuple[str, ...] = ()
 
 
-def moving_inertias(holdings: Holdings, arm: SerialArm) -> list[Inertia]:
+def moving_inertias(imported_model: ImportedModel, arm: SerialArm) -> list[Inertia]:
     """Per joint of the arm, all that the engine lets it carry, as one inertia in our frame i."""
     frames = link_frames(arm, np.zeros(arm.n))
     groups = []
     for i in range(arm.n):
-        carried = [body.inertia for body in holdings.bodies if body.carried_by == i]
+        carried = [body.inertia for body in imported_model.bodies if body.carried_by == i]
         total = reduce(add, carried, Inertia.zero())
         T_0i = Transform(frames[i, :3, :3], frames[i, :3, 3])
         groups.append(total.expressed_in(T_0i.inverse()))
     return groups
 
 
-def believed_arm(holdings: Holdings, arm: SerialArm) -> SerialArm:
+def imported_arm(imported_model: ImportedModel, arm: SerialArm) -> SerialArm:
     """The arm as the engine has it: our geometry, the engine's bodies and motors.
 
     If an engine computes what our recursion computes of *this* arm, then its import explains every
     difference from the arm as it was written.
     """
-    motors = {joint.name: joint.armature for joint in holdings.joints}
-    believed = arm.with_inertias(moving_inertias(holdings, arm))
-    return believed.with_armature([motors.get(name, 0.0) for name in arm.joint_names])
+    motors = {joint.name: joint.armature for joint in imported_model.joints}
+    imported_arm = arm.with_inertias(moving_inertias(imported_model, arm))
+    return imported_arm.with_armature([motors.get(name, 0.0) for name in arm.joint_names])
 
 
-def strict_holdings(arm: SerialArm, base: Sequence[HeldBody] = ()) -> Holdings:
+def strict_imported_model(arm: SerialArm, base: Sequence[HeldBody] = ()) -> ImportedModel:
     """Our own reading of an arm, in the same words; one body a joint."""
     zero = np.zeros(arm.n)
     frames = link_frames(arm, zero)
@@ -89,5 +89,5 @@ def strict_holdings(arm: SerialArm, base: Sequence[HeldBody] = ()) -> Holdings:
         joints.append(replace(joint, axis=R @ joint.axis))
         T_0i = Transform(frames[i, :3, :3], frames[i, :3, 3])
         bodies.append(HeldBody(link.name, i, link.inertia.expressed_in(T_0i)))
-        R = R @ joint.motion(0.0).R @ link.far_end.R
-    return Holdings(tuple(joints), tuple(bodies), arm.gravity, frames[-1], arm.n)
+        R = R @ joint.motion(0.0).R @ link.link_tip_frame.R
+    return ImportedModel(tuple(joints), tuple(bodies), arm.gravity, frames[-1], arm.n)

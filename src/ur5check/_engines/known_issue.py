@@ -1,4 +1,5 @@
-"""What a known habit of a reader is: what it does to a model, and what mends the file for it."""
+"""What a known known issue of a reader is: what it does to a model, and what repairs the file for
+it."""
 
 from __future__ import annotations
 
@@ -8,15 +9,15 @@ from typing import Any
 
 from lxml import etree
 
-__all__ = ["Habit"]
+__all__ = ["KnownIssue"]
 
 
 @dataclass(frozen=True)
-class Habit:
+class KnownIssue:
     """Something that an engine does to a model when it reads it.
 
     engine : its key in the registry, or "gazebo"
-    kinds : of import differences that this habit explains
+    kinds : of import differences that this known issue explains
     harmful : whether torques change
     rewrite : makes the file right for this engine, in place; None where no rewriting can
     """
@@ -27,11 +28,11 @@ class Habit:
     harmful: bool
     title: str
     explanation: str
-    remedy: str
+    fix: str
     rewrite: Callable[[Any], None] | None = None
 
     def applied(self, root: Any) -> bool:
-        """Rewrite a URDF's root element for this habit; returns whether anything changed."""
+        """Rewrite a URDF's root element for this known issue; returns whether anything changed."""
         if self.rewrite is None:
             return False
         before = etree.tostring(root)

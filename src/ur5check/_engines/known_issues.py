@@ -1,9 +1,9 @@
-"""Known habits of readers: what each does to a model, why, and what helps.
+"""Known known issues of readers: what each does to a model, why, and what helps.
 
-A habit has an id by which reports, docs and tests name it, and the kinds of import difference that
-it explains (listed in `audit.import_difference`).  Some are harmless, some change torques.
-Where a rewritten file helps, `remedied` writes it; where only a human can (a tensor that no body
-has), the remedy says what to do.
+A known issue has an id by which reports, docs and tests name it, and the kinds of import difference
+that it explains (listed in `audit.import_difference`).  Some are harmless, some change torques.
+Where a rewritten file helps, `repaired` writes it; where only a human can (a tensor that no body
+has), the fix says what to do.
 
 Measured with Pinocchio 4.1, MuJoCo 4.0, Drake 1.51, DART 6.20 and iDynTree 15.1.
 """
@@ -17,7 +17,7 @@ from lxml import etree
 from .._errors import UsageError
 from .._robot.serial_arm import SerialArm
 from .engine_urdf import written
-from .known_issue import Habit
+from .known_issue import KnownIssue
 from .urdf_repairs import (
     fix_root_to_world,
     give_base_mass,
@@ -27,11 +27,18 @@ from .urdf_repairs import (
     write_no_limit,
 )
 
-__all__ = ["HABITS", "TARGETS", "habit_for", "habits_of", "remedied", "remedied_text"]
+__all__ = [
+    "KNOWN_ISSUES",
+    "TARGETS",
+    "known_issue_for",
+    "known_issues_of",
+    "repaired",
+    "repaired_text",
+]
 
 
-HABITS: tuple[Habit, ...] = (
-    Habit(
+KNOWN_ISSUES: tuple[KnownIssue, ...] = (
+    KnownIssue(
         "pinocchio-merges-fixed-links",
         "pinocchio",
         ("body-merged", "base-kept", "base-ignored"),
@@ -41,7 +48,7 @@ HABITS: tuple[Habit, ...] = (
         "base part of the universe, where they weigh nothing on any joint.",
         "none is needed: torques do not change",
     ),
-    Habit(
+    KnownIssue(
         "pinocchio-continuous-joint",
         "pinocchio",
         ("coordinates",),
@@ -50,7 +57,7 @@ HABITS: tuple[Habit, ...] = (
         "It is held as (cos q, sin q), so that nq exceeds nv.",
         "none is needed here; in your own code use pin.integrate and model.joints[i].nq",
     ),
-    Habit(
+    KnownIssue(
         "mujoco-mass-from-shape",
         "mujoco",
         ("shape-mass",),
@@ -61,7 +68,7 @@ HABITS: tuple[Habit, ...] = (
         'set <mujoco><compiler inertiafromgeom="false"/></mujoco>; `ur5check expand --for mujoco`',
         keep_shapes_massless,
     ),
-    Habit(
+    KnownIssue(
         "mujoco-fuses-fixed-links",
         "mujoco",
         ("body-merged", "body-lost"),
@@ -71,7 +78,7 @@ HABITS: tuple[Habit, ...] = (
         "(fusestatic, on for URDF); their inertias are kept.",
         "none is needed for torques; for the frames set fusestatic='false'",
     ),
-    Habit(
+    KnownIssue(
         "mujoco-base-is-world",
         "mujoco",
         ("base-ignored",),
@@ -80,7 +87,7 @@ HABITS: tuple[Habit, ...] = (
         "It is held still and its inertia is dropped: a base that stands bears on no joint.",
         "none is needed: torques do not change",
     ),
-    Habit(
+    KnownIssue(
         "mujoco-no-velocity-limit",
         "mujoco",
         ("velocity-limit",),
@@ -89,7 +96,7 @@ HABITS: tuple[Habit, ...] = (
         "MuJoCo's joints know position and force ranges only.",
         "limit velocities in the controller",
     ),
-    Habit(
+    KnownIssue(
         "mujoco-equal-limits",
         "mujoco",
         ("position-limit",),
@@ -98,7 +105,7 @@ HABITS: tuple[Habit, ...] = (
         "A joint that is limited to one position turns freely.",
         "make it a fixed joint",
     ),
-    Habit(
+    KnownIssue(
         "drake-impossible-tensor",
         "drake",
         ("tensor-changed", "com-moved", "mass-changed"),
@@ -109,7 +116,7 @@ HABITS: tuple[Habit, ...] = (
         "log. Moments can shrink a hundredfold.",
         "correct the tensor: print more digits, or raise the smallest moments",
     ),
-    Habit(
+    KnownIssue(
         "drake-effort-from-transmission",
         "drake",
         ("effort-limit",),
@@ -119,7 +126,7 @@ HABITS: tuple[Habit, ...] = (
         "add a <transmission> for each joint; `ur5check expand --for drake`",
         say_effort_in_transmissions,
     ),
-    Habit(
+    KnownIssue(
         "drake-no-friction",
         "drake",
         ("friction",),
@@ -128,7 +135,7 @@ HABITS: tuple[Habit, ...] = (
         "A MultibodyPlant has no Coulomb friction in its joints, and says so on the log.",
         "add it as a force of your own",
     ),
-    Habit(
+    KnownIssue(
         "drake-continuous-limits",
         "drake",
         ("position-limit",),
@@ -138,7 +145,7 @@ HABITS: tuple[Habit, ...] = (
         "keeps them.",
         "take lower and upper out of the continuous joint's <limit>",
     ),
-    Habit(
+    KnownIssue(
         "drake-keeps-base",
         "drake",
         ("base-kept",),
@@ -147,7 +154,7 @@ HABITS: tuple[Habit, ...] = (
         "Links on the base stay bodies; welded to the world they bear on no joint.",
         "none is needed: torques do not change",
     ),
-    Habit(
+    KnownIssue(
         "drake-floating-root",
         "drake",
         (),
@@ -158,7 +165,7 @@ HABITS: tuple[Habit, ...] = (
         "name the root `world`; `ur5check expand --for drake`",
         fix_root_to_world,
     ),
-    Habit(
+    KnownIssue(
         "dart-default-inertia",
         "dart",
         ("default-inertia",),
@@ -168,7 +175,7 @@ HABITS: tuple[Habit, ...] = (
         "write an <inertial> of mass zero; `ur5check expand --for dart`",
         write_massless_links,
     ),
-    Habit(
+    KnownIssue(
         "dart-keeps-base",
         "dart",
         ("base-kept",),
@@ -177,7 +184,7 @@ HABITS: tuple[Habit, ...] = (
         "Links on the base stay bodies; standing still they bear on no joint.",
         "none is needed: torques do not change",
     ),
-    Habit(
+    KnownIssue(
         "dart-floating-root",
         "dart",
         (),
@@ -188,7 +195,7 @@ HABITS: tuple[Habit, ...] = (
         "`ur5check expand --for dart`",
         fix_root_to_world,
     ),
-    Habit(
+    KnownIssue(
         "dart-no-motor-inertia",
         "dart",
         ("armature",),
@@ -197,7 +204,7 @@ HABITS: tuple[Habit, ...] = (
         "DART's joints carry no armature.",
         "add it to the mass matrix, or compare without it",
     ),
-    Habit(
+    KnownIssue(
         "idyntree-links-become-frames",
         "idyntree",
         ("body-lost", "body-merged"),
@@ -206,7 +213,7 @@ HABITS: tuple[Habit, ...] = (
         "A link without <inertial> behind a fixed joint is kept as a frame of its parent.",
         "none is needed: torques do not change",
     ),
-    Habit(
+    KnownIssue(
         "idyntree-keeps-base",
         "idyntree",
         ("base-kept",),
@@ -216,7 +223,7 @@ HABITS: tuple[Habit, ...] = (
         "joint.",
         "none is needed: torques do not change",
     ),
-    Habit(
+    KnownIssue(
         "idyntree-continuous-limits",
         "idyntree",
         ("position-limit",),
@@ -226,7 +233,7 @@ HABITS: tuple[Habit, ...] = (
         "limits, both 0.",
         "read the limits of revolute joints only",
     ),
-    Habit(
+    KnownIssue(
         "idyntree-no-motor-inertia",
         "idyntree",
         ("armature",),
@@ -235,7 +242,7 @@ HABITS: tuple[Habit, ...] = (
         "iDynTree's joints carry no armature.",
         "add it to the mass matrix, or compare without it",
     ),
-    Habit(
+    KnownIssue(
         "gazebo-floating-root",
         "gazebo",
         (),
@@ -245,7 +252,7 @@ HABITS: tuple[Habit, ...] = (
         "hang the root on `world`; `ur5check expand --for gazebo`",
         fix_root_to_world,
     ),
-    Habit(
+    KnownIssue(
         "gazebo-massless-base",
         "gazebo",
         ("body-lost",),
@@ -257,7 +264,7 @@ HABITS: tuple[Habit, ...] = (
         "`ur5check expand --for gazebo` gives it 1 kg",
         give_base_mass,
     ),
-    Habit(
+    KnownIssue(
         "gazebo-no-limit",
         "gazebo",
         ("position-limit", "velocity-limit", "effort-limit"),
@@ -269,38 +276,47 @@ HABITS: tuple[Habit, ...] = (
     ),
 )
 
-#: What `remedied_text` and `ur5check expand --for` write for.
-TARGETS = tuple(dict.fromkeys(habit.engine for habit in HABITS if habit.rewrite is not None))
+#: What `repaired_text` and `ur5check expand --for` write for.
+TARGETS = tuple(
+    dict.fromkeys(
+        known_issue.engine for known_issue in KNOWN_ISSUES if known_issue.rewrite is not None
+    )
+)
 
 
-def habits_of(key: str) -> tuple[Habit, ...]:
-    """The habits of one engine."""
-    return tuple(habit for habit in HABITS if habit.engine == key)
+def known_issues_of(key: str) -> tuple[KnownIssue, ...]:
+    """The known issues of one engine."""
+    return tuple(known_issue for known_issue in KNOWN_ISSUES if known_issue.engine == key)
 
 
-def habit_for(key: str, kind: str) -> Habit | None:
-    """The habit of an engine that explains an import difference of this kind, if one does."""
-    return next((habit for habit in habits_of(key) if kind in habit.kinds), None)
+def known_issue_for(key: str, kind: str) -> KnownIssue | None:
+    """The known issue of an engine that explains an import difference of this kind, if one does."""
+    return next(
+        (known_issue for known_issue in known_issues_of(key) if kind in known_issue.kinds), None
+    )
 
 
-def remedied_text(urdf: str, key: str) -> tuple[str, tuple[Habit, ...]]:
-    """A URDF's text, rewritten so that this engine reads it rightly, and the habits it was for.
+def repaired_text(urdf: str, key: str) -> tuple[str, tuple[KnownIssue, ...]]:
+    """A URDF's text, rewritten so that this engine reads it rightly, and the known issues it was
+    for.
 
-    Raises UsageError for a key that no remedy is known for, ModelError if a name is taken that a
-    remedy needs.
+    Raises UsageError for a key that no fix is known for, ModelError if a name is taken that a
+    fix needs.
     """
     if key not in TARGETS:
         raise UsageError(f"nothing needs to be rewritten for {key!r}; choose {', '.join(TARGETS)}")
     parser = etree.XMLParser(resolve_entities=False, no_network=True)
     root = etree.fromstring(urdf.encode(), parser)
-    mended = tuple(habit for habit in habits_of(key) if habit.applied(root))
+    repaired = tuple(
+        known_issue for known_issue in known_issues_of(key) if known_issue.applied(root)
+    )
     etree.indent(root)
-    return written(root), mended
+    return written(root), repaired
 
 
-def remedied(arm: SerialArm, key: str) -> SerialArm:
+def repaired(arm: SerialArm, key: str) -> SerialArm:
     """The arm with its URDF rewritten for an engine; as it is where nothing needs rewriting."""
     if arm.source.urdf is None or key not in TARGETS:
         return arm
-    text, _ = remedied_text(arm.source.urdf, key)
+    text, _ = repaired_text(arm.source.urdf, key)
     return replace(arm, source=replace(arm.source, urdf=text))

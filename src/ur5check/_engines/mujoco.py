@@ -1,7 +1,7 @@
-"""MuJoCo as referee: `mj_rne`, `mj_forward`, the mass matrix of `mj_crb`.
+"""MuJoCo as reference engine: `mj_rne`, `mj_forward`, the mass matrix of `mj_crb`.
 
 Contacts, limits, springs, damping and dry friction are switched off: what is compared, and what
-moves in `step`, is the rigid-body model.  What the model says of them is kept for `holdings`.
+moves in `step`, is the rigid-body model.  What the model says of them is kept for `imported_model`.
 
 MuJoCo melts fixed links into their parents, the tool's frame with them.  A site is put where the
 tool and the base are before it does, so that its own kinematics still tells where they went.
@@ -23,7 +23,7 @@ from .._robot.serial_arm import Joint, Limits, SerialArm
 from .._robot.transforms import Array, Transform
 from .each_state import each_state
 from .engine_urdf import text_for_engines
-from .imported_model import HeldBody, Holdings
+from .imported_model import HeldBody, ImportedModel
 
 __all__ = ["MuJoCoEngine"]
 
@@ -141,10 +141,10 @@ class MuJoCoEngine:
         mujoco.mj_step(self.model, self.data)
         return np.array(self.data.qpos[self._q]), np.array(self.data.qvel[self._v])
 
-    def holdings(self) -> Holdings:
+    def imported_model(self) -> ImportedModel:
         """What the compiled `MjModel` holds."""
         self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
-        return Holdings(
+        return ImportedModel(
             tuple(self._held_joint(k) for k in range(self.model.njnt)),
             tuple(self._held_body(b) for b in range(1, self.model.nbody)),
             self._gravity_read,
@@ -239,7 +239,7 @@ def _built(arm: SerialArm) -> Any:
     body, placement = spec.worldbody, arm.base
     body.add_site(name=_BASE)
     for joint, link in zip(arm.joints, arm.links, strict=True):
-        here = link.inertia.expressed_in(link.far_end)
+        here = link.inertia.expressed_in(link.link_tip_frame)
         tensor = here.tensor
         body = body.add_body(
             name=link.name,
@@ -257,7 +257,7 @@ def _built(arm: SerialArm) -> Any:
             axis=joint.axis,
             armature=joint.armature,
         )
-        placement = link.far_end
+        placement = link.link_tip_frame
     body.add_site(name=_TOOL, pos=placement.p, quat=_quaternion(placement.R))
     return spec
 

@@ -1,9 +1,9 @@
-"""Pinocchio as referee.
+"""Pinocchio as reference engine.
 
 An arm that came from a URDF reaches Pinocchio as that URDF's text, through Pinocchio's own parser
-(urdfdom): nothing of ours stands between the file and the referee, so that an error in our reading
-cannot fool both sides.  An arm that came from a `pin.Model` is refereed by that model.  Only an arm
-that has neither (a DH table, a value built in Python) is handed over joint by joint.
+(urdfdom): nothing of ours stands between the file and the reference engine, so that an error in our
+reading cannot fool both sides.  An arm that came from a `pin.Model` is refereed by that model.
+Only an arm that has neither (a DH table, a value built in Python) is handed over joint by joint.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ from .._errors import EngineError
 from .._robot.inertia import Inertia, parameter_map
 from .._robot.serial_arm import Joint, Limits, SerialArm
 from .._robot.transforms import Array, Transform
-from .captured_warnings import listening
+from .captured_warnings import capturing
 from .each_state import each_state
-from .imported_model import HeldBody, Holdings
+from .imported_model import HeldBody, ImportedModel
 
 __all__ = ["PinocchioEngine"]
 
 
 class PinocchioEngine:
-    """Pinocchio's algorithms on one arm; satisfies `engine.Referee`.
+    """Pinocchio's algorithms on one arm; satisfies `engine.ReferenceEngine`.
 
-    arm : the arm to referee;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : the arm to reference engine;  gravity : in its base frame [m/s²], the arm's own when None.
 
     Raises EngineError if Pinocchio cannot take the model, or takes a chain with other joints.
     """
@@ -42,7 +42,7 @@ class PinocchioEngine:
         self.said: tuple[str, ...] = ()
         if arm.source.urdf is not None:
             self.route = "URDF text, own parser"
-            with listening() as said:
+            with capturing() as said:
                 whole = _parse(arm.source.urdf, arm.name)
             self.said = tuple(said)
         elif arm.source.model is not None:
@@ -162,7 +162,7 @@ class PinocchioEngine:
         ]
         return np.hstack(blocks).reshape(Y.shape)
 
-    def holdings(self) -> Holdings:
+    def imported_model(self) -> ImportedModel:
         """What `pin.Model` has kept: one inertia a joint, links fixed to it merged into it."""
         pin.forwardKinematics(self.model, self.data, pin.neutral(self.model))
         in_order = sorted(self._joints, key=lambda joint: joint.id)
@@ -176,7 +176,7 @@ class PinocchioEngine:
             for k, body in enumerate(self.model.inertias)
             if body.mass or k
         ]
-        return Holdings(
+        return ImportedModel(
             tuple(self._held_joint(joint) for joint in in_order),
             tuple(bodies),
             self._gravity_read,
@@ -296,8 +296,8 @@ def _build(arm: SerialArm) -> Any:
         # Through the ten parameters: `pin.Inertia(m, c, I)` refuses a tensor that no body could
         # have, and the laws hold for those too.
         inertia = pin.Inertia.FromDynamicParameters(link.inertia.parameters())
-        model.appendBodyToJoint(parent, inertia, _se3(link.far_end))
-        placement = link.far_end
+        model.appendBodyToJoint(parent, inertia, _se3(link.link_tip_frame))
+        placement = link.link_tip_frame
     model.armature = np.array(armature)
     body = pin.FrameType.OP_FRAME
     model.addFrame(pin.Frame(arm.source.base, 0, 0, pin.SE3.Identity(), body))
@@ -312,9 +312,9 @@ def _se3(T: Transform) -> Any:
 def _parameter_maps(arm: SerialArm) -> list[Array]:
     """From parameters held in frame i to parameters held in Pinocchio's joint frame.
 
-    Pinocchio's joint frame stands where the joint is, ours at the far end of the link: P_i apart.
+    Pinocchio's joint frame stands where the joint is, ours at the tip frame of the link: P_i apart.
     """
-    return [parameter_map(link.far_end) for link in arm.links]
+    return [parameter_map(link.link_tip_frame) for link in arm.links]
 
 
 def _finite(value: float) -> float | None:

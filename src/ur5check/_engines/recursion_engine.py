@@ -1,4 +1,4 @@
-"""The hand-written dynamics behind the same counter as the referees.
+"""The hand-written dynamics behind the same counter as the reference engines.
 
 What can be asked of an `Engine` can be asked of our own side, so that a check, a parity table or a
 simulation takes either.  It answers three questions more, which the laws need: the two energies,
@@ -16,15 +16,16 @@ from .._dynamics import recursion as newton_euler
 from .._dynamics.batching import gravity_of
 from .._robot.serial_arm import SerialArm
 from .._version import __version__
-from .imported_model import Holdings, strict_holdings
+from .imported_model import ImportedModel, strict_imported_model
 
-__all__ = ["OwnEngine"]
+__all__ = ["RecursionEngine"]
 
 Numbers = NDArray[Any]
 
 
-class OwnEngine:
-    """The recursion of `dynamics` on one arm; satisfies `engine.Referee`, on complex states too.
+class RecursionEngine:
+    """The recursion of `dynamics` on one arm; satisfies `engine.ReferenceEngine`, on complex states
+    too.
 
     arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
     """
@@ -77,6 +78,6 @@ class OwnEngine:
         """U, shape (...) [J]."""
         return equations.potential_energy(self.arm, q, self.gravity)
 
-    def holdings(self) -> Holdings:
+    def imported_model(self) -> ImportedModel:
         """Our own reading, in the words that engines use of theirs."""
-        return strict_holdings(self.arm)
+        return strict_imported_model(self.arm)

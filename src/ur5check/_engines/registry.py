@@ -1,4 +1,5 @@
-"""Which referees there are, and which are here.  Nothing is imported until one is asked for."""
+"""Which reference engines there are, and which are here.  Nothing is imported until one is asked
+for."""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ __all__ = ["REGISTRY", "EngineEntry", "engine_class", "installed", "make_engine"
 
 @dataclass(frozen=True)
 class EngineEntry:
-    """A referee.
+    """A reference engine.
 
     key : how commands name it;  title : how reports do
     module, factory : where its class is, from this package
@@ -45,7 +46,7 @@ class EngineEntry:
 
 
 _ENTRIES = (
-    EngineEntry("own", "ur5check", ".recursion_engine", "OwnEngine"),
+    EngineEntry("own", "ur5check", ".recursion_engine", "RecursionEngine"),
     EngineEntry("pinocchio", "Pinocchio", ".pinocchio", "PinocchioEngine", "pin"),
     EngineEntry("mujoco", "MuJoCo", ".mujoco", "MuJoCoEngine", "mujoco", "mujoco"),
     EngineEntry("drake", "Drake", ".drake", "DrakeEngine", "drake", "drake"),
@@ -53,17 +54,17 @@ _ENTRIES = (
     EngineEntry("idyntree", "iDynTree", ".idyntree", "IDynTreeEngine", "idyntree", "idyntree"),
 )
 
-#: Every referee, in the order in which reports show them; our own side first.
+#: Every reference engine, in the order in which reports show them; our own side first.
 REGISTRY: dict[str, EngineEntry] = {entry.key: entry for entry in _ENTRIES}
 
 
 def installed() -> tuple[str, ...]:
-    """Keys of the referees that are here, our own side first."""
+    """Keys of the reference engines that are here, our own side first."""
     return tuple(key for key, entry in REGISTRY.items() if entry.version is not None)
 
 
 def engine_class(key: str) -> MakeEngine:
-    """The class of a referee.  Imports it.
+    """The class of a reference engine.  Imports it.
 
     Raises UsageError for an unknown key, EngineError (with what to install) for an absent one.
     """
@@ -82,7 +83,7 @@ def engine_class(key: str) -> MakeEngine:
 
 
 def make_engine(key: str, arm: SerialArm, gravity: ArrayLike | None = None) -> Engine:
-    """The referee of that key, holding an arm.
+    """The reference engine of that key, holding an arm.
 
     Raises EngineError, or UsageError for an unknown key.
     """

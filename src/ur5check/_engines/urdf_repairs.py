@@ -1,8 +1,8 @@
 """Rewriting a URDF so that a reader which misreads it reads it rightly.
 
-Each remedy changes one thing in the XML tree and no torque: a massless link is *written* massless,
+Each fix changes one thing in the XML tree and no torque: a massless link is *written* massless,
 the shape of a massless link is kept from becoming a mass, a limit that stands in one place is said
-in another as well.  `habits` says which reader needs which.
+in another as well.  `known_issues` says which reader needs which.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def fix_root_to_world(root: Any) -> None:
         if node.get("name") in ("world", "world_joint"):
             raise ModelError(
                 "the name is taken: readers keep it for what the base is fixed to",
-                remedy="rename it",
+                fix="rename it",
                 line=node.sourceline,
                 element=f"{node.tag} {node.get('name')!r}",
             )

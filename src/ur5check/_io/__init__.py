@@ -1,4 +1,4 @@
-"""Where an arm comes from: files, the catalog, engines' models.
+"""Where an arm comes from: files, the shipped models, engines' models.
 
 All reading, and all strictness, is here.
 

@@ -49,7 +49,7 @@ class Description(Protocol):
         """A link's own inertia, in the link's frame; None where the file gives none."""
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, remedy: str
+        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
     ) -> NoReturn:
         """Raise ModelError at a link or joint; part : " inertial/mass", or ""."""
 
@@ -67,11 +67,11 @@ class Assembly:
 def assemble(description: Description, chain: Chain) -> Assembly:
     """The arm along `chain`.  Raises ModelError for a joint or a link that no arm can have."""
     joints = tuple(description.joint(edge) for edge in chain.moving)
-    base, far_ends = _brackets(description, chain)
+    base, link_tip_frames = _brackets(description, chain)
     notes = list(chain.notes)
     links = tuple(
-        _moving_link(description, edge, far_end, chain, notes)
-        for edge, far_end in zip(chain.moving, far_ends, strict=True)
+        _moving_link(description, edge, link_tip_frame, chain, notes)
+        for edge, link_tip_frame in zip(chain.moving, link_tip_frames, strict=True)
     )
     return Assembly(base, joints, links, tuple(notes))
 
@@ -93,9 +93,9 @@ def _brackets(description: Description, chain: Chain) -> tuple[Transform, list[T
 
 
 def _moving_link(
-    description: Description, edge: Edge, far_end: Transform, chain: Chain, notes: list[str]
+    description: Description, edge: Edge, link_tip_frame: Transform, chain: Chain, notes: list[str]
 ) -> Link:
-    """The link that `edge` moves with all that moves with it, in the frame at its far end."""
+    """The link that `edge` moves with all that moves with it, in the frame at its tip frame."""
     name = edge.child
     moving = frozenset(other.joint for other in chain.moving)
     parts, welded, held, has_extent = [], [], [], False
@@ -113,13 +113,13 @@ def _moving_link(
             held.append(way[-1].joint)
     if not parts:
         problem = "moves, but neither it nor anything fixed to it has an <inertial>"
-        remedy = "give it one, or choose base= and tip= so that it is no part of the arm"
-        description.fail("link", name, "", problem, remedy)
+        fix = "give it one, or choose base= and tip= so that it is no part of the arm"
+        description.fail("link", name, "", problem, fix)
     total = reduce(add, parts)
     if total.mass == 0.0 and edge is chain.moving[-1]:
         problem = "mass zero on a moving tip: no torque would move it, so its motion is free"
-        remedy = "give it a mass, or choose a tip= before it"
-        description.fail("link", name, " inertial/mass", problem, remedy)
+        fix = "give it a mass, or choose a tip= before it"
+        description.fail("link", name, " inertial/mass", problem, fix)
     if total.mass > 0.0 and not has_extent:
         problem = "moves, but its inertia tensor is zero: not positive definite"
         description.fail("link", name, " inertial/inertia", problem, "give the tensor of its mass")
@@ -129,13 +129,13 @@ def _moving_link(
         notes.append(f"merged into {name!r}: {_listed([member for member, _ in welded])}")
     if held:
         notes.append(f"held still, being outside the arm: {_listed(held)}")
-    to_far_end = far_end.inverse() @ description.carried(edge)
+    to_link_tip_frame = link_tip_frame.inverse() @ description.carried(edge)
     return Link(
         name,
-        far_end,
-        total.expressed_in(to_far_end),
-        to_far_end,
-        tuple((member, inertia.expressed_in(to_far_end)) for member, inertia in welded),
+        link_tip_frame,
+        total.expressed_in(to_link_tip_frame),
+        to_link_tip_frame,
+        tuple((member, inertia.expressed_in(to_link_tip_frame)) for member, inertia in welded),
     )
 
 

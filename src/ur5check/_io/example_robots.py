@@ -33,7 +33,7 @@ class FleetArm:
         if share is None:
             raise ModelError(
                 "this model is part of example-robot-data, which is not installed here",
-                remedy="install example-robot-data",
+                fix="install example-robot-data",
                 file=self.file,
             )
         arm = load(share / "robots" / self.file, base=self.base, tip=self.tip)

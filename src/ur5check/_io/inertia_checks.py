@@ -30,7 +30,7 @@ class Flaw:
 
     part: Literal["mass", "inertia"]
     problem: str
-    remedy: str
+    fix: str
     value: object
 
 
@@ -88,8 +88,8 @@ def find_flaw(
     least = np.trace(tensor) / 2 - moments[2]
     if least + np.linalg.norm(G, 2) + solver < 0.0:
         problem = "inertia tensor breaks the triangle inequality: one moment exceeds the other two"
-        remedy = "no body of positive density has it; check the six entries"
-        return Flaw("inertia", problem, remedy, shown)
+        fix = "no body of positive density has it; check the six entries"
+        return Flaw("inertia", problem, fix, shown)
     return None
 
 
@@ -107,7 +107,7 @@ def check_inertia(
         line = place.mass_line if flaw.part == "mass" else place.inertia_line
         raise ModelError(
             flaw.problem,
-            remedy=flaw.remedy,
+            fix=flaw.fix,
             file=place.file,
             line=line,
             element=f"{place.element}{flaw.part}",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from .._errors import ModelError, UsageError
 from .._robot import SerialArm
-from .shipped_models import CATALOG
+from .shipped_models import SHIPPED_MODELS
 from .suggestions import did_you_mean
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def load(
             f"a {type(x).__name__} is no arm; give a model's name, a path, a pin.Model or a "
             "SerialArm"
         )
-    entry = CATALOG.get(x) if isinstance(x, str) else None
+    entry = SHIPPED_MODELS.get(x) if isinstance(x, str) else None
     if entry is None:
         path = Path(x)
         return _read(path, _kind_of(path), str(path), base, tip, packages, arguments)
@@ -137,7 +137,7 @@ def _kind_by_root(data: bytes, label: str) -> str:
     if kind is None:
         raise ModelError(
             "the root element is neither MJCF's nor a URDF's",
-            remedy="a .xml file is <mujoco> or <robot>; an SDF is called .sdf",
+            fix="a .xml file is <mujoco> or <robot>; an SDF is called .sdf",
             file=label,
             line=root.sourceline,
             element=f"<{etree.QName(root).localname}>",
@@ -152,18 +152,18 @@ def _refuse(what: str, **options: object) -> None:
 
 
 def _kind_of(path: Path) -> str:
-    """By the suffix.  A name without one that is no file was meant for the catalog."""
+    """By the suffix.  A name without one that is no file was meant for the shipped models."""
     kind = _KINDS.get(path.suffix.lower())
     if kind is not None:
         return kind
     if not path.exists() and path.suffix == "":
         raise UsageError(
             f"no shipped model and no file is called {str(path)!r}; "
-            f"{did_you_mean(str(path), CATALOG)}"
+            f"{did_you_mean(str(path), SHIPPED_MODELS)}"
         )
     raise ModelError(
         "is a folder" if path.is_dir() else "is no kind of file that an arm is read from",
-        remedy=f"give a model's name, or a file ending in {', '.join(_KINDS)}",
+        fix=f"give a model's name, or a file ending in {', '.join(_KINDS)}",
         file=str(path),
     )
 
@@ -171,15 +171,15 @@ def _kind_of(path: Path) -> str:
 def _bytes(path: Path, label: str) -> bytes:
     try:
         if path.exists() and not path.is_file():
-            raise ModelError("is no file", remedy="give the file itself", file=label)
+            raise ModelError("is no file", fix="give the file itself", file=label)
         return path.read_bytes()
     except FileNotFoundError:
-        near = did_you_mean(path.stem, CATALOG)
+        near = did_you_mean(path.stem, SHIPPED_MODELS)
         raise ModelError(
-            "there is no such file", remedy=f"correct the path; shipped models: {near}", file=label
+            "there is no such file", fix=f"correct the path; shipped models: {near}", file=label
         ) from None
     except (OSError, ValueError) as error:  # ValueError: a NUL in the path
         reason = getattr(error, "strerror", None) or str(error)
         raise ModelError(
-            f"cannot be read: {reason}", remedy="check the path and its permissions", file=label
+            f"cannot be read: {reason}", fix="check the path and its permissions", file=label
         ) from None

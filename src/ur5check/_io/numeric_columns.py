@@ -95,7 +95,7 @@ def _number(path: Path, line: int, column: str, text: str) -> float:
         value = math.nan
     if not math.isfinite(value):
         raise StateError(
-            f"{path}:{line}: column {column!r} is no finite number (got {text!r}); mend this line"
+            f"{path}:{line}: column {column!r} is no finite number (got {text!r}); repair this line"
         )
     return value
 
@@ -125,7 +125,7 @@ def _checked(path: Path, name: str, column: Any) -> Array:
     if len(bad):
         raise StateError(
             f"{path}: row {bad[0] + 1}: column {name!r} is no finite number "
-            f"(got {column[int(bad[0])].as_py()}); mend this row"
+            f"(got {column[int(bad[0])].as_py()}); repair this row"
         )
     return values
 

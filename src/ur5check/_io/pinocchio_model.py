@@ -49,13 +49,13 @@ def read_pinocchio_model(
     B, base_name = _frame(model, base, 0, "base")
     last, tip_name = _frame(model, tip, count, "tip")
     starts = [_transform(model.jointPlacements[i]) for i in range(1, count + 1)]
-    far_ends = [*starts[1:], last]
+    link_tip_frames = [*starts[1:], last]
     joints, links = [], []
-    for i, far_end in enumerate(far_ends, start=1):
+    for i, link_tip_frame in enumerate(link_tip_frames, start=1):
         joints.append(_joint(model, i))
-        to_far_end = far_end.inverse()
-        inertia = _inertia(model, i, last=i == count).expressed_in(to_far_end)
-        links.append(Link(_link_name(model, i), far_end, inertia, to_far_end))
+        to_link_tip_frame = link_tip_frame.inverse()
+        inertia = _inertia(model, i, last=i == count).expressed_in(to_link_tip_frame)
+        links.append(Link(_link_name(model, i), link_tip_frame, inertia, to_link_tip_frame))
     to_base = B.inverse()
     digest = hashlib.sha256(model.saveToString().encode()).hexdigest()
     return SerialArm(
@@ -74,8 +74,8 @@ def read_pinocchio_model(
     )
 
 
-def _fail(element: str, problem: str, remedy: str, value: object = None) -> NoReturn:
-    raise ModelError(problem, remedy=remedy, file="pin.Model", element=element, value=value)
+def _fail(element: str, problem: str, fix: str, value: object = None) -> NoReturn:
+    raise ModelError(problem, fix=fix, file="pin.Model", element=element, value=value)
 
 
 def _named(model: Any, i: int) -> str:
@@ -123,11 +123,11 @@ def _joint(model: Any, i: int) -> Joint:
 def _axis(model: Any, i: int) -> tuple[Array, str]:
     joint = model.joints[i]
     name = joint.shortname()
-    remedy = "lock it with pin.buildReducedModel, or build the model without it"
+    fix = "lock it with pin.buildReducedModel, or build the model without it"
     # A composite may hide several joints, a mimic shares another's coordinate: both show one
     # column, and neither is a joint of its own.
     if joint.nv != 1 or "Composite" in name or "Mimic" in name:
-        _fail(_named(model, i), f"is a {name}: no revolute or prismatic joint", remedy)
+        _fail(_named(model, i), f"is a {name}: no revolute or prismatic joint", fix)
     import pinocchio as pin
 
     data = joint.createData()
@@ -135,7 +135,7 @@ def _axis(model: Any, i: int) -> tuple[Array, str]:
     S = np.asarray(data.S, dtype=np.float64).reshape(6)
     linear, angular = S[:3], S[3:]
     if linear.any() == angular.any():
-        _fail(_named(model, i), f"is a {name}: it turns and slides at once", remedy)
+        _fail(_named(model, i), f"is a {name}: it turns and slides at once", fix)
     axis, kind = (linear, "prismatic") if linear.any() else (angular, "revolute")
     return axis, kind
 

@@ -66,7 +66,7 @@ class PackageMap:
             if ".." in Path(inside).parts:
                 raise ModelError(
                     "the path climbs out of its package",
-                    remedy="name the package that holds the file",
+                    fix="name the package that holds the file",
                     element=uri,
                 )
             candidates = [folder / inside for folder in folders]
@@ -77,7 +77,7 @@ class PackageMap:
         else:
             raise ModelError(
                 "this kind of address is not supported",
-                remedy="use package://, file:// or a path",
+                fix="use package://, file:// or a path",
                 element=uri,
             )
         for candidate in candidates:
@@ -86,7 +86,7 @@ class PackageMap:
         looked = ", ".join(str(candidate) for candidate in candidates)
         raise ModelError(
             f"no such file (looked at {looked})",
-            remedy="correct the name, or pass --package NAME=DIR for the folder that has it",
+            fix="correct the name, or pass --package NAME=DIR for the folder that has it",
             element=uri,
         )
 
@@ -105,7 +105,7 @@ class PackageMap:
         if not folders:
             raise ModelError(
                 f"package {name!r} is not known",
-                remedy=f"pass --package {name or 'NAME'}=DIR ({did_you_mean(name, self.folders)})",
+                fix=f"pass --package {name or 'NAME'}=DIR ({did_you_mean(name, self.folders)})",
                 element=element,
             )
         return folders
@@ -138,7 +138,7 @@ def models_directory() -> Path:
             return candidate
     raise ModelError(
         "the shipped models are missing",
-        remedy="install ur5check again",
+        fix="install ur5check again",
         file=str(candidates[0]),
     )
 
@@ -173,7 +173,7 @@ def _existing_folder(name: str, folder: Path) -> Path:
     if not absolute.is_dir():
         raise ModelError(
             "the package's folder does not exist",
-            remedy="correct the folder in --package NAME=DIR",
+            fix="correct the folder in --package NAME=DIR",
             element=f"package {name!r}",
             value=str(folder),
         )

@@ -1,9 +1,10 @@
 """Numbers that read back as themselves: written, read and written again, the text is the same.
 
 A rotation passes through angles or a quaternion, an inertia from the frame at the link's joint to
-that at its far end.  Each way rounds, so a number may come back with another last digit, and a file
-that is converted again and again would wander.  So these numbers stand on decimal grids that are
-wider than the way there and back can move them: 0.27999999999999997 is 0.28 again, and stays so.
+that at its tip frame.  Each way rounds, so a number may come back with another last digit, and a
+file that is converted again and again would wander.  So these numbers stand on decimal grids that
+are wider than the way there and back can move them: 0.27999999999999997 is 0.28 again, and stays
+so.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from .._robot.serial_arm import Link
 from .._robot.transforms import Array, Transform, cos_sin
 from .number_text import roll_pitch_yaw
 
-__all__ = ["Pose", "angle", "on_grid", "quaternion_pose", "rpy_pose", "settled_inertia"]
+__all__ = ["Pose", "angle", "on_grid", "quaternion_pose", "round_trip_inertia", "rpy_pose"]
 
 _EPS = float(np.finfo(np.float64).eps)
 # Decimals of an angle [rad] and of a quaternion's component: 5e-16 is 2 ε, what one way costs.
@@ -61,14 +62,14 @@ def quaternion_pose(T: Transform) -> Pose:
     return _pose(T, _quaternion, lambda turn: Transform.from_quaternion((0.0, 0.0, 0.0), turn).R)
 
 
-def settled_inertia(link: Link, far_end: Transform) -> Inertia:
+def round_trip_inertia(link: Link, link_tip_frame: Transform) -> Inertia:
     """The link's inertia in the frame at its joint.
 
     far_end : P_i as a reader will make it of what is written
     """
-    here = _at_joint(link.inertia, link.far_end)
+    here = _at_joint(link.inertia, link.link_tip_frame)
     for _ in range(_PATIENCE):
-        again = _at_joint(here.expressed_in(far_end.inverse()), far_end)
+        again = _at_joint(here.expressed_in(link_tip_frame.inverse()), link_tip_frame)
         if _same(again, here):
             break
         here = again
@@ -110,9 +111,9 @@ def _quaternion(R: Array) -> Numbers:
     return tuple(float(x) for x in (q if q[np.flatnonzero(q)[0]] > 0.0 else -q))
 
 
-def _at_joint(inertia: Inertia, far_end: Transform) -> Inertia:
-    """Held at the far end, as held at the joint, without the rounding of the way."""
-    return on_grid(inertia.expressed_in(far_end), far_end)
+def _at_joint(inertia: Inertia, link_tip_frame: Transform) -> Inertia:
+    """Held at the tip frame, as held at the joint, without the rounding of the way."""
+    return on_grid(inertia.expressed_in(link_tip_frame), link_tip_frame)
 
 
 def on_grid(here: Inertia, way: Transform) -> Inertia:

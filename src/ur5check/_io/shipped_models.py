@@ -10,7 +10,7 @@ from .._errors import ModelError, UsageError
 from .ros_packages import example_robot_data, models_directory
 from .suggestions import did_you_mean
 
-__all__ = ["CATALOG", "CatalogEntry", "lookup", "models_directory"]
+__all__ = ["SHIPPED_MODELS", "ShippedModel", "lookup", "models_directory"]
 
 _PAPER = (
     "R. Kumar, Inverse Dynamics Analysis of 6-dof Robotic Manipulator (UR5) by Forward & Backward "
@@ -19,7 +19,7 @@ _PAPER = (
 
 
 @dataclass(frozen=True)
-class CatalogEntry:
+class ShippedModel:
     """A shipped model.
 
     kind : which reader takes it
@@ -50,7 +50,7 @@ class CatalogEntry:
         if path is None or not path.is_file():
             raise ModelError(
                 "this model is part of example-robot-data, which is not installed here",
-                remedy="install example-robot-data",
+                fix="install example-robot-data",
                 file=str(path or self.file),
                 element=f"model {self.name!r}",
             )
@@ -58,7 +58,7 @@ class CatalogEntry:
 
 
 _ENTRIES = (
-    CatalogEntry(
+    ShippedModel(
         "paper",
         "dh",
         "UR5 after Table 1 and the controller, with the listing's masses and inertias",
@@ -67,7 +67,7 @@ _ENTRIES = (
         "models",
         PurePosixPath("paper.toml"),
     ),
-    CatalogEntry(
+    ShippedModel(
         "paper-listing",
         "dh",
         "UR5 as the paper's listing computes it: its own r vectors, α = 1.5707, g = 9.806",
@@ -76,7 +76,7 @@ _ENTRIES = (
         "models",
         PurePosixPath("paper-listing.toml"),
     ),
-    CatalogEntry(
+    ShippedModel(
         "appendix",
         "xacro",
         "UR5 of the paper's appendix: the xacro of ur_description",
@@ -87,7 +87,7 @@ _ENTRIES = (
         base="base_link",
         tip="tool0",
     ),
-    CatalogEntry(
+    ShippedModel(
         "erd-ur5",
         "urdf",
         "UR5 of example-robot-data",
@@ -102,14 +102,14 @@ _ENTRIES = (
 )
 
 #: Every shipped model, in the order in which lists show them.
-CATALOG: dict[str, CatalogEntry] = {entry.name: entry for entry in _ENTRIES}
+SHIPPED_MODELS: dict[str, ShippedModel] = {entry.name: entry for entry in _ENTRIES}
 
 
-def lookup(name: str) -> CatalogEntry:
+def lookup(name: str) -> ShippedModel:
     """The model of that name.  Raises UsageError for an unknown one."""
     try:
-        return CATALOG[name]
+        return SHIPPED_MODELS[name]
     except KeyError:
         raise UsageError(
-            f"no shipped model is called {name!r}; {did_you_mean(name, CATALOG)}"
+            f"no shipped model is called {name!r}; {did_you_mean(name, SHIPPED_MODELS)}"
         ) from None

@@ -9,7 +9,7 @@ __all__ = ["did_you_mean"]
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """A remedy: the nearest known name if one is near, else all of them (at most twelve)."""
+    """A fix: the nearest known name if one is near, else all of them (at most twelve)."""
     names = sorted(known)
     near = get_close_matches(name, names, n=1)
     if near:

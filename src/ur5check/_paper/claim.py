@@ -1,7 +1,7 @@
 """What a claim is, how it is put to the test, and what can come of it.
 
     confirmed               what the paper printed passes
-    confirmed after repair  it fails as printed, and passes once the slip is mended
+    confirmed after repair  it fails as printed, and passes once the mistake is repaired
     refuted                 it fails, and no repair at hand makes it pass
 
 A claim is put to several models, and each trial measures one number against one limit.  A number
@@ -44,7 +44,7 @@ class Claim:
 class Trial:
     """One model put to a claim.
 
-    form : of what the paper printed, of the same mended, or of something else
+    form : of what the paper printed, of the same repaired, or of something else
     value, limit : in the claim's unit;  bound : on which side of the limit the value must lie
     why : what a reader should know of this outcome; may be empty
     """

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from .case_runs import Run, run_case
 from .cases import CASES
 from .inertia_formulas import TensorFormula, tensor_formulas
-from .listing_mistakes import Slips, find_slips
+from .listing_mistakes import ListingMistakes, find_listing_mistakes
 from .paper_models import PRINTED, REPAIRED, Model, load_models
 
 __all__ = ["Evidence", "Progress", "gather"]
@@ -21,14 +21,14 @@ class Evidence:
     """What the claims are judged by.
 
     models : who was asked;  runs : each case for each model, case by case
-    slips : the listing's own mistakes, found by diagnosis, and the listing less these
+    mistakes : the listing's own mistakes, found by diagnosis, and the listing less these
     formulas : of each printed tensor, which formula made it
     say : takes a line before each longer step
     """
 
     models: tuple[Model, ...]
     runs: tuple[Run, ...]
-    slips: Slips
+    listing_mistakes: ListingMistakes
     formulas: tuple[TensorFormula, ...]
     say: Progress
 
@@ -46,14 +46,14 @@ class Evidence:
 
 
 def gather(say: Progress) -> Evidence:
-    """Read the models, run the cases, look for slips and formulas."""
+    """Read the models, run the cases, look for mistakes and formulas."""
     say("reading the paper's tables, its listing, its appendix and another UR5")
     models = load_models()
     say(f"running {len(CASES)} cases for {len(models)} models")
     runs = tuple(run_case(case, model) for case in CASES for model in models)
     arms = {model.name: model.arm for model in models}
-    say("looking for the listing's slips")
-    slips = find_slips(arms[PRINTED], arms[REPAIRED])
+    say("looking for the listing's mistakes")
+    listing_mistakes = find_listing_mistakes(arms[PRINTED], arms[REPAIRED])
     say("looking for the formula behind each inertia tensor")
     formulas = tensor_formulas(arms[PRINTED], arms["appendix"])
-    return Evidence(models, runs, slips, formulas, say)
+    return Evidence(models, runs, listing_mistakes, formulas, say)

@@ -1,4 +1,4 @@
-"""Which formula made each printed tensor: eqs 3 to 8, or a slip of them.
+"""Which formula made each printed tensor: eqs 3 to 8, or a mistake of them.
 
 Eqs 3–8 are those of a solid cylinder along z: I_xx = I_yy = m (3 r² + l²)/12 and I_zz = m r²/2.
 The listing prints numbers, not radii.  The cylinders are the appendix's, read back from its tensors

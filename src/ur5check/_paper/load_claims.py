@@ -86,7 +86,7 @@ def because_light(evidence: Evidence) -> Iterator[ClaimOutcome]:
             f"test case {number}",
             "1",
         )
-        # The referee holds the arm of the appendix, whose mass is taken away already.
+        # The reference engine holds the arm of the appendix, whose mass is taken away already.
         runs = (run for run in evidence.of(number) if run.model.name != PINOCCHIO)
         yield from judged(claim, (light_trial(run, link) for run in runs))
 

@@ -42,7 +42,12 @@ def vectors_from_dh(evidence: Evidence) -> Iterator[ClaimOutcome]:
         claim,
         (
             vector_trial(evidence.model(PRINTED).arm, table),
-            Trial(REPAIRED, "repaired", *_apart(evidence.slips.mended, table), "slips mended"),
+            Trial(
+                REPAIRED,
+                "repaired",
+                *_apart(evidence.listing_mistakes.repaired, table),
+                "mistakes repaired",
+            ),
         ),
     )
 
@@ -117,7 +122,8 @@ def direction_trial(arm: SerialArm, name: str, form: Form) -> Trial:
     """Which way the cylinders of the long links lie."""
     axes = {c.link: c.axis for c in cut_twelfths(arm)}
     angles = [
-        _angle(axes[i], arm.links[i - 1].far_end.R.T @ arm.links[i - 1].far_end.p) for i in _LONG
+        _angle(axes[i], arm.links[i - 1].link_tip_frame.R.T @ arm.links[i - 1].link_tip_frame.p)
+        for i in _LONG
     ]
     why = "tensors of URDF frames, used unturned in DH frames" * (max(angles) > _ALONG)
     return Trial(name, form, max(angles), _ALONG, why)
@@ -148,7 +154,7 @@ def _apart(arm: SerialArm, table: SerialArm) -> tuple[float, float]:
 
 def _reaches(arm: SerialArm) -> Array:
     """r_{i−1,i} in frame i, shape (n, 3) [m]."""
-    return np.array([link.far_end.R.T @ link.far_end.p for link in arm.links])
+    return np.array([link.link_tip_frame.R.T @ link.link_tip_frame.p for link in arm.links])
 
 
 def _angle(one: Array, other: Array) -> float:

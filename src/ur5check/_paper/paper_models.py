@@ -4,7 +4,7 @@ paper-listing           the paper's program as printed
 paper                   the same numbers on the geometry of its own Table 1: the repair
 appendix                the xacro of its appendix
 erd-ur5                 the UR5 of example-robot-data, which others use
-appendix by Pinocchio   the same URDF text, read and computed by the referee
+appendix by Pinocchio   the same URDF text, read and computed by the reference engine
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from .._io.loading import load
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 
-__all__ = ["PINOCCHIO", "PRINTED", "REPAIRED", "Form", "Model", "load_models", "referee_model"]
+__all__ = ["PINOCCHIO", "PRINTED", "REPAIRED", "Form", "Model", "load_models", "reference_model"]
 
-#: Whether a trial is of what the paper printed, of the same mended, or of something else.
+#: Whether a trial is of what the paper printed, of the same repaired, or of something else.
 Form = Literal["printed", "repaired", "other"]
 
 PRINTED, REPAIRED, PINOCCHIO = "paper-listing", "paper", "appendix by Pinocchio"
@@ -63,12 +63,12 @@ def load_models() -> tuple[Model, ...]:
     appendix = models[2]
     from .._engines.pinocchio import PinocchioEngine
 
-    return (*models, referee_model(appendix, PinocchioEngine(appendix.arm)))
+    return (*models, reference_model(appendix, PinocchioEngine(appendix.arm)))
 
 
-def referee_model(appendix: Model, referee: Engine) -> Model:
-    """The appendix again, computed by a referee."""
-    return Model(PINOCCHIO, "other", appendix.arm, appendix.true_arm, referee.gravity_torque)
+def reference_model(appendix: Model, reference: Engine) -> Model:
+    """The appendix again, computed by a reference engine."""
+    return Model(PINOCCHIO, "other", appendix.arm, appendix.true_arm, reference.gravity_torque)
 
 
 def _own(arm: SerialArm, form: Form, table_1: SerialArm) -> Model:

@@ -13,7 +13,7 @@ from .claim import Claim, ClaimOutcome, Verdict, overall
 from .claims import CLAIMS, ClaimFunction
 from .evidence import Evidence, Progress, gather
 from .inertia_formulas import TensorFormula
-from .listing_mistakes import SlipEffect, Slips, slip_effect
+from .listing_mistakes import ListingMistakes, MistakeEffect, mistake_effect
 from .paper_models import PINOCCHIO, PRINTED, REPAIRED
 
 __all__ = ["Reproduction", "judge", "reproduce"]
@@ -26,15 +26,15 @@ class Reproduction:
     cases : each case for each model, case by case
     claims : each claim for each model it was put to, claim by claim
     formulas : of each printed inertia tensor, which formula made it
-    slips : the listing's own mistakes;  effects : what they do to each case, 1 … 9
+    mistakes : the listing's own mistakes;  effects : what they do to each case, 1 … 9
     arms : that were read
     """
 
     cases: tuple[Run, ...]
     claims: tuple[ClaimOutcome, ...]
     formulas: tuple[TensorFormula, ...]
-    slips: Slips
-    effects: tuple[SlipEffect, ...]
+    listing_mistakes: ListingMistakes
+    effects: tuple[MistakeEffect, ...]
     arms: tuple[SerialArm, ...]
 
     @property
@@ -49,7 +49,7 @@ class Reproduction:
 
     @property
     def trustworthy(self) -> bool:
-        """Whether our recursion and the referee agree on the appendix, in every case."""
+        """Whether our recursion and the reference engine agree on the appendix, in every case."""
         return all(np.abs(a.torque - b.torque).max() <= a.rounding for a, b in self._both())
 
     def outcomes(self, claim: str) -> tuple[ClaimOutcome, ...]:
@@ -83,9 +83,11 @@ def judge(evidence: Evidence, claims: Iterable[ClaimFunction] = CLAIMS) -> Repro
     evidence.say("judging the claims")
     outcomes = tuple(outcome for claim in claims for outcome in claim(evidence))
     effects = tuple(
-        slip_effect(evidence.slips, run, evidence.run(run.case.number, REPAIRED))
+        mistake_effect(evidence.listing_mistakes, run, evidence.run(run.case.number, REPAIRED))
         for run in evidence.runs
         if run.model.name == PRINTED and evidence.run(run.case.number, REPAIRED).peak
     )
     arms = tuple(model.arm for model in evidence.models)
-    return Reproduction(evidence.runs, outcomes, evidence.formulas, evidence.slips, effects, arms)
+    return Reproduction(
+        evidence.runs, outcomes, evidence.formulas, evidence.listing_mistakes, effects, arms
+    )

@@ -19,7 +19,7 @@ from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .paper_models import PRINTED, REPAIRED, Form
 
-__all__ = ["clear_trial", "posture_is_clear", "standing_trial", "the_arm_stands"]
+__all__ = ["clear_trial", "posture_is_clear", "static_hold_trial", "the_arm_stands"]
 
 _SECONDS = 5.0
 _SPAWNED = 0.1  # m above the ground, where the paper's launch file puts the base
@@ -44,11 +44,11 @@ def the_arm_stands(evidence: Evidence) -> Iterator[ClaimOutcome]:
     trials = []
     for name, form in models:
         evidence.say(f"simulating test 9 with the torques of {name}")
-        trials.append(standing_trial(name, form, plant, evidence.model(name).arm))
+        trials.append(static_hold_trial(name, form, plant, evidence.model(name).arm))
     yield from judged(claim, trials)
 
 
-def standing_trial(name: str, form: Form, plant: SerialArm, model: SerialArm) -> Trial:
+def static_hold_trial(name: str, form: Form, plant: SerialArm, model: SerialArm) -> Trial:
     """The plant under the torques of a model."""
     s = stand(plant, model, case(9).joint_angles()[0], seconds=_SECONDS)
     joint = int(np.abs(s.given - s.needed).argmax())
@@ -76,7 +76,7 @@ def posture_is_clear(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def clear_trial(name: str, form: Form, arm: SerialArm, q: Array) -> Trial:
-    """The lowest joint (the far end of a link) of a posture."""
+    """The lowest joint (the tip frame of a link) of a posture."""
     heights = _SPAWNED + link_frames(arm, q)[:, 2, 3]
     lowest = int(heights.argmin())
     why = f"the end of {arm.links[lowest].name} lies {'below' if heights[lowest] < 0 else 'above'}"

@@ -84,7 +84,7 @@ def _position(joint: Joint, value: float | None) -> str:
 
 def _geometry(arm: SerialArm) -> Table:
     poses = [("base", "first joint", arm.base)]
-    poses += [(link.name, "far end", link.far_end) for link in arm.links]
+    poses += [(link.name, "tip frame", link.link_tip_frame) for link in arm.links]
     rows = []
     for of, pose, T in poses:
         turned = Transform(T.R, np.zeros(3))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .._benchmarking.result import Benchmark, Chapter
-from .._benchmarking.story import tell
+from .._benchmarking.summary import summarize
 from .benchmark_tables import comparison_table, operation_table, profile_table, series_table
 from .document import Document, Section, Table
 from .provenance import Provenance, inputs_of
@@ -18,7 +18,7 @@ def benchmark_document(b: Benchmark, *, command: str = "") -> Document:
     return Document(
         f"How fast: {b.arm.name}",
         None,
-        tuple(tell(b)),
+        tuple(summarize(b)),
         tuple(_sections(b)),
         Provenance(inputs_of([b.arm]), b.seed, b.states, command, libraries=b.versions),
     )
@@ -44,7 +44,7 @@ def _sections(b: Benchmark) -> Iterator[Section]:
     if b.profiles:
         said = (
             "Whole commands in processes of their own, a sampler looking on every millisecond. "
-            "The referees are Pinocchio, asked state by state."
+            "The reference engines are Pinocchio, asked state by state."
         )
         yield Section("Where commands spend their time", (said,), (profile_table(b.profiles),))
 

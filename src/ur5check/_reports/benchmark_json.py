@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 
 from .._benchmarking.result import Benchmark, Chapter, OperationCount, Profile
-from .._benchmarking.story import tell
+from .._benchmarking.summary import summarize
 from .._dynamics.symbolic.program import Operations
 from .json_head import json_head
 from .json_values import Report, model_value, strict
@@ -23,7 +23,7 @@ def benchmark_json(b: Benchmark, *, command: str = "") -> Report:
             "measured": b.versions,
             "rounds": b.rounds,
             "threads": b.threads,
-            "story": tell(b),
+            "summary": summarize(b),
             "chapters": [_chapter(chapter) for chapter in b.chapters],
             "counts": [_count(count) for count in b.operations],
             "profiles": [_profile(profile) for profile in b.profiles],

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
-from .._comparison.difference_summary import tell as tell_difference
+from .._comparison.difference_summary import summarize as summarize_difference
 from .._comparison.explanation import Explanation
-from .diff_sections.attribution_table import owners_section
+from .diff_sections.attribution_table import contributions_section
 from .diff_sections.implausible_bodies import bodies_section
 from .diff_sections.mistakes_found import findings_section
 from .diff_sections.numbers_side_by_side import numbers_section
@@ -14,7 +14,7 @@ from .diff_sections.rounded_digits import digits_section
 from .diff_sections.unidentifiable import unseen_section
 from .diff_sections.worst_configuration import worst_section
 from .document import Document, Section, Verdict
-from .explanation_summary import tell as tell_explanation
+from .explanation_summary import summarize as summarize_explanation
 from .provenance import Provenance, inputs_of
 
 __all__ = ["difference_document"]
@@ -34,7 +34,9 @@ def difference_document(
     parameters : d's attribution to each parameter, where it was asked for
     written_out : whether the combinations that torque sees are written out
     """
-    verdict, *lines = tell_difference(d) if explanation is None else tell_explanation(explanation)
+    verdict, *lines = (
+        summarize_difference(d) if explanation is None else summarize_explanation(explanation)
+    )
     a, b = d.pair.a, d.pair.given_b
     return Document(
         f"{a.name} against {b.name}",
@@ -49,11 +51,11 @@ def _sections(
     d: Difference, e: Explanation | None, parameters: Attribution | None, written_out: bool
 ) -> tuple[Section, ...]:
     if e is None:
-        return numbers_section(d), owners_section(d, None, parameters)
+        return numbers_section(d), contributions_section(d, None, parameters)
     return (
         findings_section(e),
         numbers_section(d),
-        owners_section(d, e.terms, parameters),
+        contributions_section(d, e.terms, parameters),
         unseen_section(e, written_out=written_out),
         digits_section(e),
         worst_section(e),

@@ -6,7 +6,7 @@ import numpy as np
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
-from .._comparison.difference_summary import tell as tell_difference
+from .._comparison.difference_summary import summarize as summarize_difference
 from .._comparison.explanation import Explanation
 from .._robot.serial_arm import SerialArm
 from .._validation.law import Outcome
@@ -14,7 +14,7 @@ from .._validation.validation import Validation
 from .explanation_json import attribution_value, explanation_value
 from .json_head import json_head
 from .json_values import Report, alignment_value, inertia_value, joint_value, model_value, strict
-from .validation_summary import tell as tell_validation
+from .validation_summary import summarize as summarize_validation
 
 __all__ = ["arm_json", "difference_json", "validation_json"]
 
@@ -31,9 +31,9 @@ def validation_json(v: Validation, *, command: str = "") -> Report:
                 "bodies": v.bodies_possible,
                 "accounted": v.accounted,
             },
-            "story": tell_validation(v),
+            "summary": summarize_validation(v),
             "models": [
-                {**model_value(model.arm), "referee": model.referee, "route": model.route}
+                {**model_value(model.arm), "reference": model.reference, "route": model.route}
                 for model in v.models
             ],
             "checks": [_check(outcome) for outcome in v.outcomes],
@@ -69,7 +69,7 @@ def arm_json(arm: SerialArm, *, command: str = "") -> Report:
             "links": [
                 {
                     "name": link.name,
-                    "far_end": link.far_end.matrix(),
+                    "link_tip_frame": link.link_tip_frame.matrix(),
                     "source_frame": link.source_frame.matrix(),
                     "inertia": inertia_value(link.inertia),
                 }
@@ -100,7 +100,7 @@ def _check(o: Outcome) -> Report:
 def _difference(d: Difference) -> Report:
     return {
         "agrees": d.agrees,
-        "story": tell_difference(d),
+        "summary": summarize_difference(d),
         "a": model_value(d.pair.a),
         "b": model_value(d.pair.given_b),
         "alignment": alignment_value(d.pair.alignment),
@@ -147,9 +147,9 @@ def _torques(d: Difference) -> list[Report]:
 def _account(d: Difference) -> Report:
     share, rms = d.attribution.share(), d.attribution.rms()
     return {
-        "owners": [
-            {"kind": owner.kind, "link": owner.link, "rms": rms[k], "share": share[k]}
-            for k, owner in enumerate(d.attribution.owners)
+        "contributions": [
+            {"kind": contribution.kind, "link": contribution.link, "rms": rms[k], "share": share[k]}
+            for k, contribution in enumerate(d.attribution.contributions)
         ],
         "remainder_max": np.abs(d.attribution.remainder).max(),
     }

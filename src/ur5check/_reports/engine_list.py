@@ -1,4 +1,6 @@
-"""What `engines` shows without a model: which referees are here, what installs the others."""
+"""What `engines` shows without a model: which reference engines are here, what installs the
+others.
+"""
 
 from __future__ import annotations
 
@@ -9,11 +11,11 @@ from .json_values import Report, strict
 from .provenance import Provenance
 from .wording import MISSING
 
-__all__ = ["referees_document", "referees_json"]
+__all__ = ["engines_list_document", "engines_list_json"]
 
 
-def referees_document(*, command: str = "") -> Document:
-    """The referees as a report."""
+def engines_list_document(*, command: str = "") -> Document:
+    """The reference engines as a report."""
     rows = [
         Row((e.title, e.key, e.version or "not installed", MISSING if e.version else _install(e)))
         for e in REGISTRY.values()
@@ -22,15 +24,15 @@ def referees_document(*, command: str = "") -> Document:
     lines = ("`ur5check engines MODEL` asks whether they all mean the same robot.",)
     section = Section("Engines", (), (Table(columns, tuple(rows)),))
     return Document(
-        "Which referees are here", None, lines, (section,), Provenance((), command=command)
+        "Which reference engines are here", None, lines, (section,), Provenance((), command=command)
     )
 
 
-def referees_json(*, command: str = "") -> Report:
-    """The referees as ur5check.referees/1."""
+def engines_list_json(*, command: str = "") -> Report:
+    """The reference engines as ur5check.reference engines/1."""
     return strict(
         {
-            **json_head("referees", (), command),
+            **json_head("references", (), command),
             "engines": [
                 {"key": e.key, "title": e.title, "version": e.version, "install": _install(e)}
                 for e in REGISTRY.values()

@@ -9,7 +9,7 @@ from .._engines.audit.engine_reading import Reading
 from .._engines.audit.import_difference import ImportDifference
 from .._engines.registry import REGISTRY
 from .document import Column, Document, Row, Section, Table, Verdict
-from .engines_summary import tell
+from .engines_summary import summarize
 from .provenance import Provenance, inputs_of
 from .wording import MISSING, figures, residue
 
@@ -29,13 +29,13 @@ def engines_document(
     """The report of `ur5check engines MODEL`.
 
     model : what the user called it;  limit : fail over this [N m]
-    as_read : whether the plain import is judged, not that with remedies
+    as_read : whether the plain import is judged, not that with fixes
     """
-    verdict, *lines = tell(report, model, limit)
+    verdict, *lines = summarize(report, model, limit)
     good = (report.as_read if as_read else report.final).agrees(limit)
     word = "AGREE" if good else "DIFFER"
     if good and not report.as_read.agrees(limit):
-        word = "AGREE ONCE MENDED"
+        word = "AGREE ONCE REPAIRED"
     return Document(
         f"{report.arm.name}: do all engines mean the same robot?",
         Verdict(word, verdict, good),
@@ -53,7 +53,7 @@ def _parity(report: EngineReport, limit: float) -> Section:
 
 
 def _torques(report: EngineReport) -> Table:
-    """Above the diagonal as read, below it with the remedies."""
+    """Above the diagonal as read, below it with the fixes."""
     keys = [reading.key for reading in report.as_read.readings]
     columns = [Column(REGISTRY[key].title, number=True) for key in keys]
     rows = []
@@ -65,8 +65,8 @@ def _torques(report: EngineReport) -> Table:
     note = f"The worst of {len(report.states):,} states"
     extra = len(report.states) - report.samples
     note += f", {extra} of them sought for being the worst." if extra else "."
-    if report.mended is not None:
-        note = f"Above the diagonal: as read. Below it: with the remedies. {note}"
+    if report.repaired is not None:
+        note = f"Above the diagonal: as read. Below it: with the fixes. {note}"
     return Table((Column("|Δτ| [N m]"), *columns), tuple(rows), note=note)
 
 
@@ -81,8 +81,11 @@ def _answers(report: EngineReport, limit: float) -> Table:
     rows = []
     for name, stage in report.stages():
         for key in stage.matrix.keys[1:]:
-            if name == "mended" and stage.reading(key).engine is report.as_read.reading(key).engine:
-                continue  # it had no need of remedies, and answers as before
+            if (
+                name == "repaired"
+                and stage.reading(key).engine is report.as_read.reading(key).engine
+            ):
+                continue  # it had no need of fixes, and answers as before
             p = stage.matrix.between("own", key)
             numbers = (p.torque, p.mass, p.bias, p.acceleration, p.tool)
             joint = report.arm.joints[p.joint].name if p.torque > limit else MISSING
@@ -128,14 +131,14 @@ def _imports(report: EngineReport) -> Section:
         note=f"Costs: the worst |Δτ| that it makes alone. {MISSING}: bears on no torque. "
         f"{explained}".strip(),
     )
-    remedies = tuple(
-        f"{reading.title}: {habit.title}. {habit.explanation} Remedy: {habit.remedy}."
+    repairs = tuple(
+        f"{reading.title}: {known_issue.title}. {known_issue.explanation} Fix: {known_issue.fix}."
         for reading in report.as_read.readings
         if reading.imported is not None
-        for habit in dict.fromkeys(one.habit for one in reading.imported.harmful)
-        if habit is not None
+        for known_issue in dict.fromkeys(one.known_issue for one in reading.imported.harmful)
+        if known_issue is not None
     )
-    return Section("What each engine reads otherwise", remedies, (table,))
+    return Section("What each engine reads otherwise", repairs, (table,))
 
 
 def _differences(reading: Reading) -> list[Row]:
@@ -204,7 +207,7 @@ def _engines(report: EngineReport) -> Section:
 def _holds(reading: Reading) -> str:
     if reading.imported is None:
         return MISSING
-    mass = sum(body.inertia.mass for body in reading.imported.holdings.bodies)
-    moving = sum(link.inertia.mass for link in reading.imported.believed.links)
-    bodies = len(reading.imported.holdings.bodies)
+    mass = sum(body.inertia.mass for body in reading.imported.imported_model.bodies)
+    moving = sum(link.inertia.mass for link in reading.imported.imported_arm.links)
+    bodies = len(reading.imported.imported_model.bodies)
     return f"{bodies} bodies, {mass:.6g} kg, of which {moving:.6g} kg move"

@@ -6,7 +6,7 @@ from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.fleet_comparison import FleetReport
 from .._engines.registry import REGISTRY
-from .engines_summary import deed, tell
+from .engines_summary import deed, summarize
 from .json_head import json_head
 from .json_values import Report, model_value, strict
 
@@ -26,7 +26,7 @@ def engines_json(
         {
             **json_head("engines", [report.arm], command, report.seed, report.samples),
             "verdict": _verdict(report, limit, as_read),
-            "story": tell(report, model, limit),
+            "summary": summarize(report, model, limit),
             "model": model_value(report.arm),
             "gravity": report.gravity,
             "states": len(report.states),
@@ -77,9 +77,9 @@ def _verdict(report: EngineReport, limit: float, as_read: bool) -> Report:
     return {
         "agree": _judged(report, limit, as_read),
         "limit": limit,
-        "judged": "as read" if as_read else "mended",
+        "judged": "as read" if as_read else "repaired",
         "as_read": report.as_read.matrix.worst,
-        "mended": None if report.mended is None else report.mended.matrix.worst,
+        "repaired": None if report.repaired is None else report.repaired.matrix.worst,
         "explained": report.explained,
     }
 
@@ -136,8 +136,8 @@ def _imports(stage: str, reading: Reading) -> list[Report]:
             "held": one.held,
             "bears_on": one.bears_on,
             "cost": one.cost,
-            "habit": None if one.habit is None else one.habit.id,
-            "remedy": None if one.habit is None else one.habit.remedy,
+            "known_issue": None if one.known_issue is None else one.known_issue.id,
+            "fix": None if one.known_issue is None else one.known_issue.fix,
         }
         for one in reading.imported.differences
     ]

@@ -10,7 +10,7 @@ from .._engines.audit.engine_reading import Reading
 from .._engines.audit.import_difference import ImportDifference, Kind
 from .._engines.registry import REGISTRY
 
-__all__ = ["deed", "tell"]
+__all__ = ["deed", "summarize"]
 
 _LOST: dict[Kind, str] = {
     "position-limit": "position limits",
@@ -27,12 +27,12 @@ _NOTES: dict[Kind, str] = {
 }
 
 
-def tell(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) -> tuple[str, ...]:
-    """The verdict, what remedies leave, what is not explained, what users of an engine must know.
+def summarize(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) -> tuple[str, ...]:
+    """The verdict, what fixes leave, what is not explained, what users of an engine must know.
 
     model : what the user called the arm;  limit : up to which torques count as the same [N m]
     """
-    lines = [_verdict(report, model or report.arm.name, limit), _remedies(report, limit)]
+    lines = [_verdict(report, model or report.arm.name, limit), _repairs(report, limit)]
     for name, stage in report.stages():
         lines += [
             f"Not explained: {r.title} {name} is {_force(r.belief.gap)} away from what it holds."
@@ -109,11 +109,11 @@ def _verdict(report: EngineReport, model: str, limit: float) -> str:
     names = listed([REGISTRY[key].title for key in same])
     said = f"{names} hold the same robot" if len(same) > 1 else f"No engine agrees with {names}"
     said += "; " + "; ".join(_deviant(report, r) for r in others) if others else ""
-    mendable = [r.key for r in others if _is_mended(report, r.key, limit)]
-    if not mendable:
+    repairable = [r.key for r in others if _is_repaired(report, r.key, limit)]
+    if not repairable:
         return f"{said}."
-    commands = listed([f"`ur5check expand {model} --for {key}`" for key in mendable])
-    return f"{said}. {commands} {'mends it' if len(mendable) == 1 else 'mend it'}."
+    commands = listed([f"`ur5check expand {model} --for {key}`" for key in repairable])
+    return f"{said}. {commands} {'repairs it' if len(repairable) == 1 else 'repair it'}."
 
 
 def _deviant(report: EngineReport, reading: Reading) -> str:
@@ -125,22 +125,22 @@ def _deviant(report: EngineReport, reading: Reading) -> str:
     return f"{clause}: {_force(worst.torque)} at joint {worst.joint + 1} ({name})"
 
 
-def _is_mended(report: EngineReport, key: str, limit: float) -> bool:
-    if report.mended is None or report.mended.reading(key).refused is not None:
+def _is_repaired(report: EngineReport, key: str, limit: float) -> bool:
+    if report.repaired is None or report.repaired.reading(key).refused is not None:
         return False
-    return report.mended.matrix.between("own", key).torque <= limit
+    return report.repaired.matrix.between("own", key).torque <= limit
 
 
-def _remedies(report: EngineReport, limit: float) -> str:
-    if report.mended is None:
+def _repairs(report: EngineReport, limit: float) -> str:
+    if report.repaired is None:
         return ""
-    worst = report.mended.matrix.worst
-    if report.mended.agrees(limit):
-        return f"With the remedies all engines agree to {_force(worst)}."
-    left = [f"{r.title} does not take the model" for r in report.mended.refusals] + (
+    worst = report.repaired.matrix.worst
+    if report.repaired.agrees(limit):
+        return f"With the fixes all engines agree to {_force(worst)}."
+    left = [f"{r.title} does not take the model" for r in report.repaired.refusals] + (
         [f"torques differ by up to {_force(worst)}"] if worst > limit else []
     )
-    return f"With the remedies {listed(left)}."
+    return f"With the fixes {listed(left)}."
 
 
 def _use(reading: Reading) -> str:

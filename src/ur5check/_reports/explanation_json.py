@@ -14,7 +14,7 @@ from .._comparison.explanation import Explanation
 from .._comparison.rounding.error_budget import ErrorBudget
 from .._comparison.worst_case.worst_case import WorstCase
 from .._rules.plausible_body import Plausibility
-from .explanation_summary import removed, tell
+from .explanation_summary import removed, summarize
 from .json_values import Report
 
 __all__ = ["attribution_value", "explanation_value"]
@@ -28,7 +28,7 @@ def explanation_value(e: Explanation) -> Report:
         "inertial": e.terms.inertial,
     }
     return {
-        "story": tell(e),
+        "summary": summarize(e),
         "attribution": attribution_value(e.difference.attribution),
         "terms": {name: np.sqrt((part.delta**2).mean(axis=0)) for name, part in terms.items()},
         "identifiability": _identifiability(e),
@@ -48,13 +48,13 @@ def attribution_value(attribution: Attribution) -> list[Report]:
     rms, share, weight = attribution.rms(), attribution.share(), attribution.weight()
     return [
         {
-            "kind": owner.kind,
-            "link": owner.link,
+            "kind": contribution.kind,
+            "link": contribution.link,
             "rms": rms[k],
             "share": share[k],
             "weight": weight[k],
         }
-        for k, owner in enumerate(attribution.owners)
+        for k, contribution in enumerate(attribution.contributions)
     ]
 
 

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._comparison import difference_summary as difference_story
+from .._comparison import difference_summary as difference_summary
 from .._comparison.diagnosis.diagnosis import Diagnosis, Finding
 from .._comparison.explanation import Explanation
 
-__all__ = ["tell"]
+__all__ = ["summarize"]
 
 _WORTH_A_LINE = 0.01  # of the RMS difference: mistakes that cost less are left to the table
 _MOST_MISTAKES = 4
 
 
-def tell(explanation: Explanation) -> tuple[str, ...]:
+def summarize(explanation: Explanation) -> tuple[str, ...]:
     """The verdict, the mistakes that explain it, what they leave, the worst posture."""
     difference = explanation.difference
-    told = difference_story.tell(difference)
+    told = difference_summary.summarize(difference)
     if difference.agrees:
         same = explanation.equivalence
         return told if same.same_numbers else (told[0], same.sentence, *told[1:])
@@ -32,36 +32,37 @@ def tell(explanation: Explanation) -> tuple[str, ...]:
 
 
 def removed(finding: Finding, diagnosis: Diagnosis) -> float:
-    """Part of the whole RMS difference that mending a finding removes."""
+    """Part of the whole RMS difference that repairing a finding removes."""
     if diagnosis.before == 0.0:
         return 0.0
     return (finding.before - finding.after) / diagnosis.before
 
 
 def _mistakes(diagnosis: Diagnosis) -> list[str]:
-    telling = [f for f in diagnosis.findings if removed(f, diagnosis) > _WORTH_A_LINE]
-    if not telling:
+    summary = [f for f in diagnosis.findings if removed(f, diagnosis) > _WORTH_A_LINE]
+    if not summary:
         return ["No single known mistake explains the difference."]
     return [
-        f"{f.sentence}; mending it removes {removed(f, diagnosis):.0%} of the difference."
-        for f in telling[:_MOST_MISTAKES]
+        f"{f.sentence}; repairing it removes {removed(f, diagnosis):.0%} of the difference."
+        for f in summary[:_MOST_MISTAKES]
     ]
 
 
 def _rest(explanation: Explanation) -> str:
     diagnosis = explanation.diagnosis
     if not diagnosis.findings:
-        return difference_story.owners_in_words(explanation.difference)
+        return difference_summary.contributions_in_words(explanation.difference)
     left = f"{diagnosis.after:.2g} N m RMS of {diagnosis.before:.3g} are left"
     if diagnosis.after <= 1e-9 * diagnosis.before:
-        return "With everything mended nothing is left."
+        return "With everything repaired nothing is left."
     unnamed = [
         f"link {s.link + 1}'s {s.quantity}"
         for s in sorted(diagnosis.unexplained, key=lambda s: -s.gap)
     ]
     if not unnamed:
-        return f"With everything mended {left}: digits."
-    return f"With that mended {left}; no known mistake explains {difference_story.listed(unnamed)}."
+        return f"With everything repaired {left}: digits."
+    numbers = difference_summary.listed(unnamed)
+    return f"With that repaired {left}; no known mistake explains {numbers}."
 
 
 def _worst(explanation: Explanation) -> str:

@@ -35,9 +35,9 @@ def _verdict(fleet: FleetReport, limit: float) -> str:
     same = sum(report.as_read.matrix.worst <= limit for report in fleet.reports)
     said = f"as read, the engines hold the same robot for {same} of {n} arms"
     if same < n:
-        mended = sum(report.final.matrix.worst <= limit for report in fleet.reports)
-        said += f"; with the remedies for {mended if mended < n else 'all'}"
-        said += f" of {n}" if mended < n else ""
+        repaired = sum(report.final.matrix.worst <= limit for report in fleet.reports)
+        said += f"; with the fixes for {repaired if repaired < n else 'all'}"
+        said += f" of {n}" if repaired < n else ""
     return f"{said}, to {fleet.worst(as_read=False):.1e} N m."
 
 
@@ -55,7 +55,7 @@ def _table(fleet: FleetReport, limit: float) -> Table:
         Column("arm"),
         Column("joints", number=True),
         Column("as read [N m]", number=True),
-        Column("with remedies [N m]", number=True),
+        Column("with fixes [N m]", number=True),
         Column("why"),
     )
     return Table(

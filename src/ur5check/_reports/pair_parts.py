@@ -6,14 +6,14 @@ import math
 
 import numpy as np
 
-from .._comparison.attribution import Attribution, Owner
+from .._comparison.attribution import Attribution, Contribution
 from .._comparison.difference import Difference
 from .._comparison.difference_summary import base_in_words
 from .._robot.transforms import Array
 from .document import Column, Row, Table
 from .wording import figures, joined, link_label, percent, posture, residue
 
-__all__ = ["alignment_lines", "owner_rows", "owner_table", "torque_table"]
+__all__ = ["alignment_lines", "contribution_rows", "contribution_table", "torque_table"]
 
 _WORTH_A_ROW = 5e-3  # of the sizes of all owners' parts; a smaller one gets no row
 
@@ -89,12 +89,12 @@ def torque_table(d: Difference) -> Table:
     )
 
 
-def owner_table(d: Difference) -> Table:
+def contribution_table(d: Difference) -> Table:
     """Whose the difference is, the largest part first."""
-    rows, note = owner_rows(d, d.attribution)
+    rows, note = contribution_rows(d, d.attribution)
     return Table(
         (
-            Column("owner"),
+            Column("contribution"),
             Column("weight [%]", number=True),
             Column("share [%]", number=True),
             Column("RMS [N m]", number=True),
@@ -106,7 +106,7 @@ def owner_table(d: Difference) -> Table:
     )
 
 
-def owner_rows(d: Difference, attribution: Attribution) -> tuple[tuple[Row, ...], str]:
+def contribution_rows(d: Difference, attribution: Attribution) -> tuple[tuple[Row, ...], str]:
     """Owners by the size of their parts, and a note on how to read them."""
     weight, share, rms = attribution.weight(), attribution.share(), attribution.rms()
     order = np.argsort(-weight, kind="stable")
@@ -114,7 +114,7 @@ def owner_rows(d: Difference, attribution: Attribution) -> tuple[tuple[Row, ...]
     rows = tuple(
         Row(
             (
-                _owner_label(d, attribution.owners[k]),
+                _contribution_label(d, attribution.contributions[k]),
                 f"{100 * weight[k]:.1f}",
                 f"{round(100 * share[k], 1) + 0.0:.1f}",
                 figures(rms[k].max()),
@@ -133,11 +133,11 @@ def owner_rows(d: Difference, attribution: Attribution) -> tuple[tuple[Row, ...]
     return rows, note
 
 
-def _owner_label(d: Difference, owner: Owner) -> str:
-    if owner.link is None:
-        return owner.kind
-    link = d.parameters[owner.link - 1]
-    return f"{owner.kind} of {link_label(link.name_a, link.name_b)}"
+def _contribution_label(d: Difference, contribution: Contribution) -> str:
+    if contribution.link is None:
+        return contribution.kind
+    link = d.parameters[contribution.link - 1]
+    return f"{contribution.kind} of {link_label(link.name_a, link.name_b)}"
 
 
 def _strongest(d: Difference, rms: Array) -> str:

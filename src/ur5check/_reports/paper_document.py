@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from .._paper.reproduction import Reproduction
 from .document import Document, Verdict
 from .paper_sections.claim_table import claims_section
-from .paper_sections.nine_cases import cases_section, slips_section
+from .paper_sections.nine_cases import cases_section, listing_mistakes_section
 from .paper_sections.tensor_formulas import formulas_section
-from .paper_summary import summary, tell
+from .paper_summary import summarize, summary
 from .provenance import Provenance, inputs_of
 from .wording import residue
 
@@ -31,14 +31,14 @@ def paper_document(
     return Document(
         "The paper, claim by claim",
         _verdict(r),
-        tuple(tell(r)),
+        tuple(summarize(r)),
         (
             claims_section(r, written_out=written_out),
             cases_section(r, pictures or {}),
-            slips_section(r),
+            listing_mistakes_section(r),
             formulas_section(r),
         ),
-        Provenance(inputs_of(r.arms), r.slips.seed, r.slips.samples, command),
+        Provenance(inputs_of(r.arms), r.listing_mistakes.seed, r.listing_mistakes.samples, command),
     )
 
 

@@ -10,7 +10,7 @@ from .._paper.inertia_formulas import TensorFormula
 from .._paper.reproduction import Reproduction
 from .json_head import json_head
 from .json_values import Report, strict
-from .paper_summary import summary, tell
+from .paper_summary import summarize, summary
 
 __all__ = ["paper_json"]
 
@@ -20,7 +20,9 @@ def paper_json(r: Reproduction, *, command: str = "") -> Report:
     count = Counter(r.verdicts.values())
     return strict(
         {
-            **json_head("paper", r.arms, command, r.slips.seed, r.slips.samples),
+            **json_head(
+                "paper", r.arms, command, r.listing_mistakes.seed, r.listing_mistakes.samples
+            ),
             "verdict": {
                 "trustworthy": r.trustworthy,
                 "engines_apart": r.engines_apart,
@@ -28,7 +30,7 @@ def paper_json(r: Reproduction, *, command: str = "") -> Report:
                 "confirmed_after_repair": count["confirmed after repair"],
                 "refuted": count["refuted"],
             },
-            "story": [summary(r), *tell(r)],
+            "summary": [summary(r), *summarize(r)],
             "claims": [_claim(outcome) for outcome in r.claims],
             "verdicts": [
                 {"id": claim.id, "claim": claim.text, "test": claim.test, "source": claim.source,
@@ -37,13 +39,13 @@ def paper_json(r: Reproduction, *, command: str = "") -> Report:
             ],
             "cases": [_case(run) for run in r.cases],
             "formulas": [_formula(formula) for formula in r.formulas],
-            "slips": [
+            "listing_mistakes": [
                 {"id": f.id, "links": f.links, "sentence": f.sentence, "before": f.before,
                  "after": f.after}
-                for f in r.slips.findings
+                for f in r.listing_mistakes.findings
             ],
             "slip_effects": [
-                {"case": e.case, "joint": e.joint, "printed": e.printed, "mended": e.mended,
+                {"case": e.case, "joint": e.joint, "printed": e.printed, "repaired": e.repaired,
                  "table": e.table, "ratio": e.ratio, "gap": e.gap, "left": e.left}
                 for e in r.effects
             ],

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections import Counter
 
-from .._paper.listing_mistakes import SlipEffect
+from .._paper.listing_mistakes import MistakeEffect
 from .._paper.paper_models import PRINTED, REPAIRED
 from .._paper.reproduction import Reproduction
 
-__all__ = ["headline", "headline_of_all", "summary", "tell"]
+__all__ = ["headline", "headline_of_all", "summarize", "summary"]
 
 #: For each case the claim that is its own, and how it is told when it holds and when it fails.
 _OWN = {
@@ -41,11 +41,18 @@ def summary(r: Reproduction) -> str:
     )
 
 
-def tell(r: Reproduction) -> list[str]:
+def summarize(r: Reproduction) -> list[str]:
     """What stands out, one sentence each."""
     return [
         line
-        for line in (_case_2_and_9(r), _slips(r), _shapes(r), _lightness(r), _tensors(r), _soft(r))
+        for line in (
+            _case_2_and_9(r),
+            _listing_mistakes(r),
+            _shapes(r),
+            _lightness(r),
+            _tensors(r),
+            _soft(r),
+        )
         if line
     ]
 
@@ -113,13 +120,13 @@ def _case_2_and_9(r: Reproduction) -> str:
     )
 
 
-def _slips(r: Reproduction) -> str:
+def _listing_mistakes(r: Reproduction) -> str:
     left = max(effect.left for effect in r.effects)
     gap = max(effect.gap for effect in r.effects)
-    found = "; ".join(finding.sentence for finding in r.slips.findings)
+    found = "; ".join(finding.sentence for finding in r.listing_mistakes.findings)
     return (
-        "With the listing's own slips mended, its largest distance from Table 1's torques falls "
-        f"from {gap:.0f} to {left:.1g} N m. The slips, as diagnosis finds them: {found}."
+        "With the listing's own mistakes repaired, its largest distance from Table 1's torques "
+        f"falls from {gap:.0f} to {left:.1g} N m. The mistakes, as diagnosis finds them: {found}."
     )
 
 
@@ -179,7 +186,7 @@ def _weightless(r: Reproduction) -> bool:
     return not any(run.peak for run in r.cases if run.case.number == 8)
 
 
-def _which(effect: SlipEffect) -> str:
+def _which(effect: MistakeEffect) -> str:
     return "wrong" if effect.ratio < 0.0 else "right"
 
 

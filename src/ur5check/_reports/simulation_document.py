@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._simulation.static_hold import Standing
+from .._simulation.static_hold import StaticHold
 from .document import Column, Document, Row, Section, Table, Verdict
 from .provenance import Provenance, inputs_of
-from .simulation_summary import reason, tell, verdict
+from .simulation_summary import reason, summarize, verdict
 from .wording import percent, residue
 
 __all__ = ["simulation_document"]
@@ -15,19 +15,19 @@ __all__ = ["simulation_document"]
 _ROWS = 10  # of the drift table
 
 
-def simulation_document(s: Standing, *, command: str = "") -> Document:
+def simulation_document(s: StaticHold, *, command: str = "") -> Document:
     """The report of `ur5check simulate`."""
     plant, model = s.pair.a, s.pair.given_b
     return Document(
         f"{plant.name} under the torques of {model.name}",
         Verdict("STANDS" if s.stands else "MOVES", verdict(s), s.stands),
-        tuple(tell(s)),
+        tuple(summarize(s)),
         (_torques(s), _drift(s), _mover(s)),
         Provenance(inputs_of((plant, model)), command=command),
     )
 
 
-def _torques(s: Standing) -> Section:
+def _torques(s: StaticHold) -> Section:
     rows = []
     for i, joint in enumerate(s.pair.a.joints):
         given, needed = float(s.given[i]), float(s.needed[i])
@@ -54,7 +54,7 @@ def _torques(s: Standing) -> Section:
     )
 
 
-def _drift(s: Standing) -> Section:
+def _drift(s: StaticHold) -> Section:
     t, last = s.motion.t, len(s.motion.t) - 1
     rows = []
     for k in dict.fromkeys(np.linspace(0, last, _ROWS + 1).round().astype(int).tolist()):
@@ -90,16 +90,16 @@ def _drift(s: Standing) -> Section:
     )
 
 
-def _mover(s: Standing) -> Section:
+def _mover(s: StaticHold) -> Section:
     m = s.mover
     step = "steps of its own choice" if m.dt is None else f"steps of {m.dt:g} s"
     lines = [f"{m.name} {m.version}, integrator {m.integrator}, {step}."]
     if m.dt is not None:
         lines.append("Its import was checked: it holds the bodies of the plant, and no others.")
-    if m.mended:
+    if m.repaired:
         lines.append(
-            f"Given the file as it is, it would have held another arm: {'; '.join(m.mended)}. The "
-            "file was rewritten for it."
+            f"Given the file as it is, it would have held another arm: {'; '.join(m.repaired)}. "
+            "The file was rewritten for it."
         )
     lines.append("No joint stop, friction, damping or contact takes part.")
     return Section("Who moved the arm", tuple(lines))

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._simulation.static_hold import STILL, Standing
+from .._simulation.static_hold import STILL, StaticHold
 from .json_head import json_head
 from .json_values import Report, alignment_value, model_value, strict
-from .simulation_summary import reason, tell, verdict
+from .simulation_summary import reason, summarize, verdict
 
 __all__ = ["simulation_json"]
 
 _INSTANTS = 501  # at most, evenly picked: enough for a plot
 
 
-def simulation_json(s: Standing, *, command: str = "") -> Report:
+def simulation_json(s: StaticHold, *, command: str = "") -> Report:
     """The report of `ur5check simulate`."""
     plant, model, m = s.pair.a, s.pair.given_b, s.mover
     return strict(
@@ -27,7 +27,7 @@ def simulation_json(s: Standing, *, command: str = "") -> Report:
                 "joint_threshold": s.still_angle,
                 "reason": reason(s),
             },
-            "story": [verdict(s), *tell(s)],
+            "summary": [verdict(s), *summarize(s)],
             "plant": model_value(plant),
             "torque_model": model_value(model),
             "alignment": alignment_value(s.pair.alignment),
@@ -36,7 +36,7 @@ def simulation_json(s: Standing, *, command: str = "") -> Report:
                 "version": m.version,
                 "integrator": m.integrator,
                 "step": m.dt,
-                "mended": m.mended,
+                "repaired": m.repaired,
             },
             "held": s.held,
             "seconds": s.seconds,
@@ -61,7 +61,7 @@ def simulation_json(s: Standing, *, command: str = "") -> Report:
     )
 
 
-def _motion(s: Standing) -> Report:
+def _motion(s: StaticHold) -> Report:
     count = len(s.motion.t)
     k = np.unique(np.linspace(0, count - 1, min(count, _INSTANTS)).round().astype(int))
     return {

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._simulation.static_hold import STILL, Standing
+from .._simulation.static_hold import STILL, StaticHold
 
-__all__ = ["reason", "tell", "verdict"]
+__all__ = ["reason", "summarize", "verdict"]
 
 
-def verdict(s: Standing) -> str:
+def verdict(s: StaticHold) -> str:
     """Stands or moves, in one sentence."""
     plant, model = s.pair.a.name, s.pair.b.name
     how = "held constant" if s.held else "recomputed at every step"
@@ -19,12 +19,12 @@ def verdict(s: Standing) -> str:
     return f"{plant} moves under {torques}: its tool leaves its place after {_after(s)}."
 
 
-def tell(s: Standing) -> list[str]:
+def summarize(s: StaticHold) -> list[str]:
     """What stands out, one sentence each."""
     return [line for line in (_torque(s), _drift(s), _ended(s), _pencil(s), _energy(s)) if line]
 
 
-def reason(s: Standing) -> str:
+def reason(s: StaticHold) -> str:
     """Why the threshold is where it is."""
     return (
         f"It stands if the tool stays within {1e3 * STILL:g} mm, the repeatability on a UR5's data "
@@ -33,12 +33,12 @@ def reason(s: Standing) -> str:
     )
 
 
-def _after(s: Standing) -> str:
+def _after(s: StaticHold) -> str:
     left = 0.0 if s.left_after is None else s.left_after
     return f"{1e3 * left:.0f} ms" if left < 1.0 else f"{left:.2f} s"
 
 
-def _torque(s: Standing) -> str:
+def _torque(s: StaticHold) -> str:
     gap = s.given - s.needed
     worst = int(np.abs(gap).argmax())
     if s.stands and np.abs(gap).max() <= 1e-9 * max(1.0, np.abs(s.needed).max()):
@@ -50,7 +50,7 @@ def _torque(s: Standing) -> str:
     ).replace("-", "−")
 
 
-def _drift(s: Standing) -> str:
+def _drift(s: StaticHold) -> str:
     joints = np.degrees(np.abs(s.joint_drift[-1]))
     worst = int(joints.argmax())
     return (
@@ -59,7 +59,7 @@ def _drift(s: Standing) -> str:
     )
 
 
-def _ended(s: Standing) -> str:
+def _ended(s: StaticHold) -> str:
     if not s.motion.stopped:
         return ""
     limits = [joint.limits for joint in s.pair.a.joints]
@@ -78,7 +78,7 @@ def _ended(s: Standing) -> str:
     )
 
 
-def _pencil(s: Standing) -> str:
+def _pencil(s: StaticHold) -> str:
     if not s.held or s.growth == 0.0:
         return ""
     return (
@@ -87,7 +87,7 @@ def _pencil(s: Standing) -> str:
     )
 
 
-def _energy(s: Standing) -> str:
+def _energy(s: StaticHold) -> str:
     part = "" if s.stands else f" ({s.energy.relative:.0e} of what was turned over)"
     return (
         f"Energy that came from nowhere: at most {s.energy.worst:.2g} J{part}, the error of "

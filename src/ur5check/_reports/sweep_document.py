@@ -6,7 +6,7 @@ from .._sweep.magnitude_histogram import RELATIVE_ERROR
 from .._sweep.sweep_result import Sweep
 from .document import Document, Section, Verdict
 from .provenance import Provenance, inputs_of
-from .sweep_summary import sample_in_words, tell
+from .sweep_summary import sample_in_words, summarize
 from .sweep_tables import (
     decade_table,
     joint_table,
@@ -21,7 +21,7 @@ __all__ = ["sweep_document"]
 
 def sweep_document(s: Sweep, *, command: str = "") -> Document:
     """The report of `ur5check sweep`."""
-    verdict, *lines = tell(s)
+    verdict, *lines = summarize(s)
     return Document(
         f"{s.pair.a.name} against {s.pair.given_b.name}",
         Verdict("AGREE" if s.agrees else "DIFFER", verdict, s.agrees),
@@ -46,8 +46,8 @@ def _joints(s: Sweep) -> Section:
         f"Quantiles are good to {RELATIVE_ERROR:.1%} of themselves. The maxima are those of these "
         "states; `ur5check diff` climbs on from there.",
     )
-    over = () if s.plan.over is None else (limit_table(s),)
-    tables = (joint_table(s), *over, worst_table(s), motion_table(s))
+    tolerance = () if s.plan.tolerance is None else (limit_table(s),)
+    tables = (joint_table(s), *tolerance, worst_table(s), motion_table(s))
     return Section("Joint by joint", said, tables)
 
 
@@ -56,7 +56,7 @@ def _sizes(s: Sweep) -> Section:
 
 
 def _reach(s: Sweep) -> Section:
-    every, visits = s.plan.map_every, int(s.tally.visits.sum())
+    every, visits = s.plan.map_every, int(s.statistics.visits.sum())
     which = "Every state" if every == 1 else f"Every {every}th state ({visits:,})"
     said = (
         f"{which}, by the tool's distance from the z axis of {s.pair.a.name}'s base and its height "

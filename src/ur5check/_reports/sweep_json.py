@@ -12,7 +12,7 @@ from .._sweep.state_sample import BLOCK
 from .._sweep.sweep_result import QUANTILES, Sweep
 from .json_head import json_head
 from .json_values import Report, alignment_value, model_value, strict
-from .sweep_summary import tell
+from .sweep_summary import summarize
 
 __all__ = ["sweep_json"]
 
@@ -29,7 +29,7 @@ def sweep_json(s: Sweep, *, command: str = "") -> Report:
             "sample": _sample(s),
             "engine": s.plan.engine,
             "agrees": s.agrees,
-            "story": tell(s),
+            "summary": summarize(s),
             "a": model_value(s.pair.a),
             "b": model_value(s.pair.given_b),
             "alignment": alignment_value(s.pair.alignment),
@@ -47,16 +47,16 @@ def _sample(s: Sweep) -> Report:
 
 
 def _joint(s: Sweep, j: int) -> Report:
-    over, limits = s.share_over(), s.plan.over
+    tolerance, limits = s.share_over(), s.plan.tolerance
     return {
         "joint": s.pair.a.joints[j].name,
         "rms": s.rms[j],
         "max": s.maximum[j],
-        "worst_index": s.tally.worst[j],
+        "worst_index": s.statistics.worst[j],
         "worst_state": s.worst_state(j),
         "quantiles": [{"share": p, "value": s.quantile(p)[j]} for p in QUANTILES],
         "limit": None if limits is None else limits[j],
-        "share_over": None if over is None else over[j],
+        "share_over": None if tolerance is None else tolerance[j],
         "effort_limit": s.effort[j],
         "max_share_of_effort": s.share_of_effort()[j],
         "rms_of_a": s.scale_rms[j],
@@ -66,7 +66,7 @@ def _joint(s: Sweep, j: int) -> Report:
 
 def _histogram(s: Sweep, j: int) -> Report:
     """The bins that are not empty."""
-    edges, counts = bin_edges(), s.tally.bins[j]
+    edges, counts = bin_edges(), s.statistics.bins[j]
     (full,) = np.nonzero(counts)
     return {"lower": edges[full], "upper": edges[full + 1], "count": counts[full]}
 
@@ -77,6 +77,6 @@ def _reach_map(s: Sweep) -> Report:
         "every": s.plan.map_every,
         "radius": grid.radii(),
         "height": grid.heights(),
-        "visits": s.tally.visits.reshape(RADII, HEIGHTS),
-        "largest": s.tally.reach.reshape(n, RADII, HEIGHTS),
+        "visits": s.statistics.visits.reshape(RADII, HEIGHTS),
+        "largest": s.statistics.reach.reshape(n, RADII, HEIGHTS),
     }

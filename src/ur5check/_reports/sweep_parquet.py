@@ -39,27 +39,27 @@ def write_parquet(s: Sweep, file: Path) -> None:
 
 
 def _histograms(s: Sweep) -> dict[str, Any]:
-    joint, bin_ = np.nonzero(s.tally.bins)
+    joint, bin_ = np.nonzero(s.statistics.bins)
     edges, names = bin_edges(), s.pair.a.joint_names
     return {
         "joint": [names[j] for j in joint],
         "lower": edges[bin_],
         "upper": edges[bin_ + 1],
-        "count": s.tally.bins[joint, bin_],
+        "count": s.statistics.bins[joint, bin_],
     }
 
 
 def _map(s: Sweep) -> dict[str, Any]:
-    (seen,) = np.nonzero(s.tally.visits)
+    (seen,) = np.nonzero(s.statistics.visits)
     radii, heights = s.plan.grid.radii(), s.plan.grid.heights()
     column, row = np.divmod(seen, HEIGHTS)
-    largest = zip(s.pair.a.joint_names, s.tally.reach[:, seen], strict=True)
+    largest = zip(s.pair.a.joint_names, s.statistics.reach[:, seen], strict=True)
     return {
         "radius_lower": radii[column],
         "radius_upper": radii[column + 1],
         "height_lower": heights[row],
         "height_upper": heights[row + 1],
-        "visits": s.tally.visits[seen],
+        "visits": s.statistics.visits[seen],
         **{f"max_{name}": values for name, values in largest},
     }
 

@@ -7,10 +7,10 @@ import numpy as np
 from .._sweep.reach_map import HEIGHTS
 from .._sweep.sweep_result import Sweep
 
-__all__ = ["sample_in_words", "tell"]
+__all__ = ["sample_in_words", "summarize"]
 
 
-def tell(s: Sweep) -> tuple[str, ...]:
+def summarize(s: Sweep) -> tuple[str, ...]:
     """Verdict, how usual it is, how often a limit is passed, where the tool is then."""
     sentences = [_verdict(s)]
     if not s.agrees:
@@ -55,7 +55,7 @@ def _usual(s: Sweep) -> str:
 
 
 def _over(s: Sweep) -> str:
-    share, limits = s.share_over(), s.plan.over
+    share, limits = s.share_over(), s.plan.tolerance
     if share is None or limits is None:
         return ""
     j = int(share.argmax())
@@ -68,7 +68,7 @@ def _over(s: Sweep) -> str:
 
 
 def _where(s: Sweep) -> str:
-    highest = s.tally.reach.max(axis=0)
+    highest = s.statistics.reach.max(axis=0)
     column, row = divmod(int(highest.argmax()), HEIGHTS)
     grid = s.plan.grid
     radius = grid.radii()[column : column + 2].mean()

@@ -61,7 +61,7 @@ def worst_table(s: Sweep) -> Table:
     return Table(
         (Column("joint"), Column("state", number=True), Column("posture [°]")),
         tuple(
-            Row((joint.name, f"{s.tally.worst[j]:,}", posture(s.worst_state(j)["q"], joints)))
+            Row((joint.name, f"{s.statistics.worst[j]:,}", posture(s.worst_state(j)["q"], joints)))
             for j, joint in enumerate(joints)
         ),
         title="Where the maxima are",
@@ -85,7 +85,7 @@ def motion_table(s: Sweep) -> Table:
 
 def limit_table(s: Sweep) -> Table:
     """How often the limit that was asked for is passed."""
-    share, limits = s.share_over(), s.plan.over
+    share, limits = s.share_over(), s.plan.tolerance
     if share is None or limits is None:
         raise ValueError("no limit was asked for")
     return Table(
@@ -96,7 +96,14 @@ def limit_table(s: Sweep) -> Table:
             Column("share [%]", number=True),
         ),
         tuple(
-            Row((joint.name, figures(limits[j]), f"{int(s.tally.over[j]):,}", percent(share[j])))
+            Row(
+                (
+                    joint.name,
+                    figures(limits[j]),
+                    f"{int(s.statistics.tolerance[j]):,}",
+                    percent(share[j]),
+                )
+            )
             for j, joint in enumerate(s.pair.a.joints)
         ),
         title="Over the limit",
@@ -113,7 +120,7 @@ def decade_table(s: Sweep) -> Table:
     place = np.digitize(middle, decades)
     names = [f"below {decades[0]:.4g}", *(f"to {edge:.4g}" for edge in decades[1:])]
     rows = []
-    for joint, counts in zip(s.pair.a.joints, s.tally.bins, strict=True):
+    for joint, counts in zip(s.pair.a.joints, s.statistics.bins, strict=True):
         share = np.bincount(place, weights=counts, minlength=len(names) + 1) / s.count
         share[len(names) - 1] += share[len(names)]
         rows.append(Row((joint.name, *(_share(x) for x in share[: len(names)]))))
@@ -127,8 +134,8 @@ def decade_table(s: Sweep) -> Table:
 def reach_table(s: Sweep) -> Table:
     """The reach map, coarsely: heights from above, radii from the axis outwards."""
     shape = (RADII // _COARSE, _COARSE, HEIGHTS // _COARSE, _COARSE)
-    seen = s.tally.visits.reshape(shape).sum(axis=(1, 3))
-    largest = s.tally.reach.max(axis=0).reshape(shape).max(axis=(1, 3))
+    seen = s.statistics.visits.reshape(shape).sum(axis=(1, 3))
+    largest = s.statistics.reach.max(axis=0).reshape(shape).max(axis=(1, 3))
     radii, heights = s.plan.grid.radii()[::_COARSE], s.plan.grid.heights()[::_COARSE]
     rows = [
         Row(

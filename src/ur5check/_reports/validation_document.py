@@ -9,9 +9,9 @@ from .._validation.law import Outcome
 from .._validation.validation import ModelValidation, PairValidation, Validation
 from .document import Column, Document, Row, Section, Table, Verdict
 from .law_table import law_table
-from .pair_parts import alignment_lines, owner_table, torque_table
+from .pair_parts import alignment_lines, contribution_table, torque_table
 from .provenance import Provenance, inputs_of
-from .validation_summary import tell
+from .validation_summary import summarize
 from .wording import coordinates, figures, residue
 
 __all__ = ["validation_document"]
@@ -36,7 +36,7 @@ def validation_document(v: Validation, *, command: str = "") -> Document:
     return Document(
         f"Validation of {first}{against}",
         _verdict(v),
-        tell(v),
+        summarize(v),
         tuple(sections),
         Provenance(inputs_of(model.arm for model in v.models), v.seed, v.samples, command),
     )
@@ -101,7 +101,8 @@ def _algorithm(v: Validation) -> Section:
         f"whatever its numbers, on {len(v.models)} model{'s' if len(v.models) > 1 else ''}."
     ]
     lines += [
-        f"Referee of {m.arm.name}: {m.referee}, {_ROUTES.get(m.route, m.route)}." for m in v.models
+        f"Reference engine of {m.arm.name}: {m.reference}, {_ROUTES.get(m.route, m.route)}."
+        for m in v.models
     ]
     return Section("The algorithm", tuple(lines), (law_table(v),))
 
@@ -142,9 +143,9 @@ def _numbers(v: Validation) -> Section:
         lines += alignment_lines(d)
         lines.append(_account(pair))
         tables.append(torque_table(d))
-        owners = owner_table(d)
-        if owners.rows:
-            tables.append(owners)
+        contributions = contribution_table(d)
+        if contributions.rows:
+            tables.append(contributions)
     return Section("The numbers", tuple(lines), tuple(tables))
 
 
@@ -153,7 +154,7 @@ def _account(pair: PairValidation) -> str:
     closed = "closes" if account.passed else "DOES NOT close"
     return (
         f"The account {closed}: {residue(account.value)} {account.unit} of the difference between "
-        f"our torques of {pair.difference.pair.a.name} and the referee's of "
+        f"our torques of {pair.difference.pair.a.name} and the reference engine's of "
         f"{pair.difference.pair.b.name} have no owner (rounding allows "
         f"{residue(account.tolerance)})."
     )

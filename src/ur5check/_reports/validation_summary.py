@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from .._comparison import difference_summary as difference_story
+from .._comparison import difference_summary as difference_summary
 from .._validation.law import Outcome
 from .._validation.validation import Validation
 
-__all__ = ["tell"]
+__all__ = ["summarize"]
 
 
-def tell(validation: Validation) -> tuple[str, ...]:
+def summarize(validation: Validation) -> tuple[str, ...]:
     """One sentence each on the algorithm and the bodies, then the story of every difference."""
     sentences = [_algorithm(validation), _bodies(validation)]
     for pair in validation.pairs:
-        sentences += difference_story.tell(pair.difference)
+        sentences += difference_summary.summarize(pair.difference)
         if not pair.accounted:
             (account,) = (o for o in pair.outcomes if o.id == "account")
             sentences.append(
@@ -30,10 +30,11 @@ def _algorithm(validation: Validation) -> str:
         return f"The algorithm is WRONG: {len(broken)} of {len(laws)} laws fail, {_first(broken)}."
     models = len(validation.models)
     each = len(laws) // models
-    referee = validation.models[0].referee
+    reference = validation.models[0].reference
     return (
         f"The algorithm is right: all {each} laws hold on {'both' if models == 2 else models} "
-        f"model{'s' if models > 1 else ''} at {validation.samples:,} states, {referee} refereeing."
+        f"model{'s' if models > 1 else ''} at {validation.samples:,} states, "
+        f"{reference} as reference."
     )
 
 

@@ -50,13 +50,13 @@ class DHRow:
     damping: float = 0.0
     friction: float = 0.0
 
-    def standard_far_end(self) -> Transform:
+    def standard_link_tip_frame(self) -> Transform:
         """P_i of the standard convention."""
-        turn = Transform.rotation(_X, self.alpha)
+        rotation = Transform.rotation(_X, self.alpha)
         if self.r is None:
-            rest = Transform.translation((self.a, 0.0, self.d)) @ turn
+            rest = Transform.translation((self.a, 0.0, self.d)) @ rotation
         else:
-            rest = Transform(turn.R, turn.R @ self.r)
+            rest = Transform(rotation.R, rotation.R @ self.r)
         return Transform.rotation(_Z, self.offset) @ rest
 
 
@@ -78,7 +78,7 @@ def arm_from_dh(
     near end of link i and r would mean something else.
     """
     before = Transform.identity()
-    far_ends = [row.standard_far_end() for row in rows]
+    link_tip_frames = [row.standard_link_tip_frame() for row in rows]
     if convention == "modified":
         if any(row.r is not None for row in rows):
             raise ValueError("r is a vector of the standard convention's frames")
@@ -93,20 +93,20 @@ def arm_from_dh(
             for row in rows
         ]
         before = befores[0]
-        far_ends = [
+        link_tip_frames = [
             after @ before
             for after, before in zip(afters, [*befores[1:], Transform.identity()], strict=True)
         ]
     links = []
-    for i, (row, far_end) in enumerate(zip(rows, far_ends, strict=True)):
+    for i, (row, link_tip_frame) in enumerate(zip(rows, link_tip_frames, strict=True)):
         inertia, source_frame = row.inertia, Transform.identity()
         if convention == "modified" and i + 1 < len(rows):
             source_frame = befores[i + 1].inverse()
             inertia = inertia.expressed_in(source_frame)
         if tool is not None and i + 1 == len(rows):
-            far_end, source_frame = far_end @ tool, tool.inverse()
+            link_tip_frame, source_frame = link_tip_frame @ tool, tool.inverse()
             inertia = inertia.expressed_in(source_frame)
-        links.append(Link(row.link, far_end, inertia, source_frame))
+        links.append(Link(row.link, link_tip_frame, inertia, source_frame))
     joints = [
         Joint(
             row.joint, np.array(_Z), row.kind, row.limits, row.armature, row.damping, row.friction

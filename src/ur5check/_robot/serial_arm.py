@@ -5,7 +5,7 @@ Every source becomes a `SerialArm`, built on one grammar:
     T_base→tool(q) = B · J1(q1) · P1 · J2(q2) · P2 · … · Jn(qn) · Pn
 
 `B` is fixed, `Ji(qi)` turns by qi about (or slides by qi along) a unit axis, `Pi` is fixed.
-Frame i sits at the far end of link i, right after Pi, where the paper's recursion (eqs 9–15) has
+Frame i sits at the tip frame of link i, right after Pi, where the paper's recursion (eqs 9–15) has
 it.
 
     source          axis    B                      P_i
@@ -94,15 +94,17 @@ class Link:
     """
 
     name: str
-    far_end: Transform
+    link_tip_frame: Transform
     inertia: Inertia
     source_frame: Transform = field(default_factory=Transform.identity)
     welded: tuple[tuple[str, Inertia], ...] = ()
 
     @property
     def held_near(self) -> bool:
-        """Whether the source holds the link's numbers at its joint (a URDF), not at its far end."""
-        between = self.far_end @ self.source_frame
+        """Whether the source holds the link's numbers at its joint (a URDF), not at its tip
+        frame.
+        """
+        between = self.link_tip_frame @ self.source_frame
         return bool(np.abs(between.matrix() - np.eye(4)).max() < _SAME_FRAME)
 
 
@@ -112,7 +114,7 @@ class Source:
 
     kind : "dh", "urdf", "xacro", "mjcf", "sdf", "pinocchio" or "value" (built in Python)
     inputs : (name, SHA-256) of every file that was read, in reading order
-    urdf : the URDF text, after xacro expansion, for referees that bring their own parser
+    urdf : the URDF text, after xacro expansion, for reference engines that bring their own parser
     model : the `pin.Model` itself, when that is what was given
     base, tip : names of the links (or frames) between which the arm was taken
     notes : what a reader of a report should know of the reading ("merged fixed link 'tool0' …")

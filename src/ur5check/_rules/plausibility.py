@@ -11,8 +11,9 @@ The laws of dynamics hold for any numbers.  A body has a shape, though, and its 
     density            m / V
 
 The first four are theorems: a number beyond them is impossible for the body that the mesh shows.
-The rest are habits of robots, with a reason beside each bound: beyond them a number is suspicious.
-Without a mesh there is only the reach of a link, from joint to joint, and the words are weaker.
+The rest are known issues of robots, with a reason beside each bound: beyond them a number is
+suspicious. Without a mesh there is only the reach of a link, from joint to joint, and the words are
+weaker.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ _SOLVER = 64 * float(np.finfo(np.float64).eps)  # of the largest moment: eigvals
 class Plausibility:
     """One thing that is odd about an arm's numbers.
 
-    severity : "note", "suspicious" (no habit of robots) or "impossible" (for such a body)
+    severity : "note", "suspicious" (no known issue of robots) or "impossible" (for such a body)
     link, name : number, from 1, and name; None and the arm's name for the whole arm
     quantity : what was looked at;  value, bound, unit : what was found, and what it was held
         against; None where there is no number

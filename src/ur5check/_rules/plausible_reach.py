@@ -36,7 +36,7 @@ _HEAVIER, _LIGHTER = 5.0, 0.01
 
 def reach_findings(number: int, link: Link) -> list[Plausibility]:
     """Radius of gyration, centre of mass and direction against the way from joint to joint."""
-    reach = link.far_end.R.T @ link.far_end.p  # r_{i−1,i}, in frame i
+    reach = link.link_tip_frame.R.T @ link.link_tip_frame.p  # r_{i−1,i}, in frame i
     length = float(np.linalg.norm(reach))
     moments, axes = np.linalg.eigh(link.inertia.tensor)
     if length < _SHORT or moments[0] < 0.0:
@@ -72,12 +72,12 @@ def reach_findings(number: int, link: Link) -> list[Plausibility]:
 def _past_the_ends(
     number: int, name: str, com: Array, along: Array, length: float
 ) -> list[Plausibility]:
-    station = float(com @ along)  # 0 at the far end, −length at the joint
+    station = float(com @ along)  # 0 at the tip frame, −length at the joint
     past = max(station, -length - station)
     bound = max(_OVERSHOOT * length, _SHORT)
     if past <= bound:
         return []
-    end = "far end" if station > 0.0 else "joint"
+    end = "tip frame" if station > 0.0 else "joint"
     sentence = (
         f"{name}: the centre of mass lies {past:.3g} m beyond the {end} of a link that reaches "
         f"{length:.3g} m."
@@ -89,7 +89,7 @@ def whole_findings(arm: SerialArm) -> list[Plausibility]:
     """Total mass against reach, and neighbouring links against each other."""
     findings = []
     total = sum(link.inertia.mass for link in arm.links)
-    reach = sum(float(np.linalg.norm(link.far_end.p)) for link in arm.links)
+    reach = sum(float(np.linalg.norm(link.link_tip_frame.p)) for link in arm.links)
     if reach >= _SHORT and total > 0.0 and not _AIRY <= total / reach**3 <= _MASSIVE:
         bound = (_AIRY if total / reach**3 < _AIRY else _MASSIVE) * reach**3
         size = "light" if total < bound else "heavy"

@@ -15,7 +15,7 @@ from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .acceleration import acceleration_of
 from .integration import WORKING, Precision, integrate
-from .joint_range import Travel
+from .joint_range import JointRange
 from .motion_result import Motion
 from .torque_sources import TorqueSource
 
@@ -36,7 +36,7 @@ def integrated(
     qd: Array,
     times: Array,
     *,
-    travel: Travel | None = None,
+    joint_range: JointRange | None = None,
     precision: Precision = WORKING,
     step: float | None = None,
     say: Say = silent,
@@ -58,7 +58,7 @@ def integrated(
         tau = torque(q, qd)
         return np.concatenate([qd, accelerate(q, qd, tau), [tau @ qd]])
 
-    stop = None if travel is None else lambda t, y: travel.room(y[:n])
+    stop = None if joint_range is None else lambda t, y: joint_range.margin(y[:n])
     start = np.concatenate([q, qd, [0.0]])
     t, y = integrate(rate, start, times, precision=precision, step=step, stop=stop)
     q_t, qd_t = y[:, :n], y[:, n : 2 * n]
@@ -76,7 +76,7 @@ def stepped(
     steps: int,
     integrator: str | None = None,
     every: int = 1,
-    travel: Travel | None = None,
+    joint_range: JointRange | None = None,
     say: Say = silent,
 ) -> Motion:
     """The motion by an engine's own integrator; a torque is held during each step.
@@ -92,7 +92,7 @@ def stepped(
     work, kept = 0.0, []
     for k in range(steps + 1):
         tau = torque(q, qd)
-        stopped = travel is not None and travel.room(q) < 0.0
+        stopped = joint_range is not None and joint_range.margin(q) < 0.0
         if k % every == 0 or k == steps or stopped:
             kept.append((k * dt, q, qd, tau, work))
         if k == steps or stopped:

@@ -15,19 +15,19 @@ from .._errors import UsageError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 
-__all__ = ["Travel", "travel_of"]
+__all__ = ["JointRange", "joint_range_of"]
 
 _FULL_TURN = 2.0 * np.pi
 
 
 @dataclass(frozen=True, eq=False)
-class Travel:
+class JointRange:
     """lower, upper : joint positions, shape (n,) [rad], between which the arm is followed."""
 
     lower: Array
     upper: Array
 
-    def room(self, q: Array) -> float:
+    def margin(self, q: Array) -> float:
         """Distance of the joint that is nearest to its end [rad]; negative beyond it."""
         return float(np.minimum(q - self.lower, self.upper - q).min())
 
@@ -36,7 +36,7 @@ class Travel:
         return int(np.minimum(q - self.lower, self.upper - q).argmin())
 
 
-def travel_of(arm: SerialArm, q: Array) -> Travel:
+def joint_range_of(arm: SerialArm, q: Array) -> JointRange:
     """The joints' limits; a full turn either way of `q`, shape (n,) [rad], where there are none.
 
     Raises UsageError if the arm already is beyond a limit.
@@ -52,4 +52,4 @@ def travel_of(arm: SerialArm, q: Array) -> Travel:
                 f"joint {joint.name!r} of {arm.name!r} starts at {q[i]:.4g} rad, which is not "
                 f"between its limits {lower[i]:.4g} and {upper[i]:.4g}; choose another pose"
             )
-    return Travel(lower, upper)
+    return JointRange(lower, upper)

@@ -22,12 +22,12 @@ from .._version import __version__
 from .equilibrium import growth_rate
 from .free_motion import Say, integrated, silent, stepped
 from .integration import WORKING
-from .joint_range import travel_of
+from .joint_range import joint_range_of
 from .motion_result import EnergyBalance, Motion, energy_balance
 from .require_same_model import admit
 from .torque_sources import Held, Recomputed, TorqueSource
 
-__all__ = ["ENGINES", "STILL", "Mover", "Standing", "stand"]
+__all__ = ["ENGINES", "STILL", "Mover", "StaticHold", "stand"]
 
 #: A UR5's data sheet promises to come back to a place within 0.1 mm: what moves less stands as
 #: still as the real arm can show [m].
@@ -45,18 +45,18 @@ class Mover:
     """Who moved the arm.
 
     integrator : by name;  dt : its step [s], None where the step adapts
-    mended : what the engine would have held otherwise in the file as it is, in words
+    repaired : what the engine would have held otherwise in the file as it is, in words
     """
 
     name: str
     version: str
     integrator: str
     dt: float | None
-    mended: tuple[str, ...] = ()
+    repaired: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
-class Standing:
+class StaticHold:
     """What came of test 9.
 
     pair : `a` the plant, `b` the model whose torques it was given, in the plant's coordinates
@@ -92,7 +92,9 @@ class Standing:
     @property
     def still_angle(self) -> float:
         """The angle that moves the tool of the stretched arm by STILL [rad]."""
-        return STILL / float(sum(np.linalg.norm(link.far_end.p) for link in self.pair.a.links))
+        return STILL / float(
+            sum(np.linalg.norm(link.link_tip_frame.p) for link in self.pair.a.links)
+        )
 
     @property
     def left_after(self) -> float | None:
@@ -118,7 +120,7 @@ def stand(
     dt: float = 1e-3,
     integrator: str | None = None,
     say: Say = silent,
-) -> Standing:
+) -> StaticHold:
     """Give `plant` the torques that hold `model` at `q`, and follow what it does.
 
     Parameters
@@ -143,7 +145,7 @@ def stand(
     if q_0.ndim != 1:
         raise UsageError(f"one posture is simulated at a time, not an array of shape {q_0.shape}")
     _refuse_times(seconds, dt)
-    travel = travel_of(plant, q_0)
+    joint_range = joint_range_of(plant, q_0)
     torque: TorqueSource = Held(gravity_torque(pair.b, q_0)) if held else Recomputed(pair.b)
     rest, steps = np.zeros(plant.n), round(seconds / dt)
     if engine == "own":
@@ -151,7 +153,7 @@ def stand(
             raise UsageError("an integrator is chosen for mujoco or dart; our own is DOP853")
         mover = Mover("ur5check", __version__, f"DOP853, rtol {WORKING.rtol:g}", None)
         times = np.linspace(0.0, seconds, min(steps, _KEPT) + 1)
-        motion = integrated(plant, torque, q_0, rest, times, travel=travel, say=say)
+        motion = integrated(plant, torque, q_0, rest, times, joint_range=joint_range, say=say)
     else:
         admitted = admit(engine, plant)
         stepper = admitted.engine
@@ -159,14 +161,14 @@ def stand(
         if chosen not in stepper.integrators:
             known = ", ".join(stepper.integrators)
             raise UsageError(f"{stepper.name} has no integrator {chosen!r}; choose from {known}")
-        mover = Mover(stepper.name, stepper.version, chosen, dt, admitted.mended)
+        mover = Mover(stepper.name, stepper.version, chosen, dt, admitted.repaired)
         motion = stepped(
             stepper, torque, q_0, rest,
             dt=dt, steps=steps, integrator=chosen,
-            every=max(1, steps // _KEPT), travel=travel, say=say,
+            every=max(1, steps // _KEPT), joint_range=joint_range, say=say,
         )  # fmt: skip
     tool = forward_kinematics(plant, motion.q)[:, :3, 3]
-    return Standing(
+    return StaticHold(
         pair,
         mover,
         held,

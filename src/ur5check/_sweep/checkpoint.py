@@ -1,7 +1,8 @@
 """What is done so far, on disk: whole or not there, and only for the sweep that it was written for.
 
-The file is JSON: what the sweep depends on, how many blocks from the first are done, their tally.
-JSON keeps a float64 to its last bit, so a sweep that goes on ends at the digits it would have had.
+The file is JSON: what the sweep depends on, how many blocks from the first are done, their
+statistics. JSON keeps a float64 to its last bit, so a sweep that goes on ends at the digits it
+would have had.
 """
 
 from __future__ import annotations
@@ -15,10 +16,10 @@ import numpy as np
 
 from .._errors import UsageError
 from .._files import write_whole
-from .statistics import Tally
+from .statistics import Statistics
 from .sweep_plan import Plan
 
-__all__ = ["Checkpoint", "load", "save", "tally_value"]
+__all__ = ["Checkpoint", "load", "save", "statistics_value"]
 
 _FORMAT = "ur5check.sweep-checkpoint/1"
 
@@ -28,7 +29,7 @@ class Checkpoint:
     """Blocks 0 … blocks − 1, and what was kept of them."""
 
     blocks: int
-    tally: Tally
+    statistics: Statistics
 
 
 def save(path: Path, plan: Plan, done: Checkpoint) -> None:
@@ -40,7 +41,7 @@ def save(path: Path, plan: Plan, done: Checkpoint) -> None:
         "format": _FORMAT,
         "of": plan.description(),
         "blocks": done.blocks,
-        "tally": tally_value(done.tally),
+        "statistics": statistics_value(done.statistics),
     }
     try:
         write_whole(path, json.dumps(value, allow_nan=False).encode())
@@ -68,7 +69,7 @@ def load(path: Path, plan: Plan) -> Checkpoint | None:
         if value["format"] != _FORMAT:
             raise ValueError(value["format"])
         _check_same(path, value["of"], plan.description())
-        done = Checkpoint(int(value["blocks"]), _tally(value["tally"]))
+        done = Checkpoint(int(value["blocks"]), _statistics(value["statistics"]))
     except (ValueError, KeyError, TypeError, IndexError):
         raise UsageError(
             f"checkpoint {path}: is no checkpoint of a sweep; name another file, or delete it"
@@ -86,38 +87,39 @@ def _check_same(path: Path, theirs: dict[str, Any], ours: dict[str, Any]) -> Non
         )
 
 
-def tally_value(tally: Tally) -> dict[str, Any]:
-    """A tally as plain values, every digit kept.  Histograms are mostly empty: only what is not."""
-    joint, bin_ = np.nonzero(tally.bins)
+def statistics_value(statistics: Statistics) -> dict[str, Any]:
+    """A statistics as plain values, every digit kept.  Histograms are mostly empty: only what is
+    not."""
+    joint, bin_ = np.nonzero(statistics.bins)
     return {
-        "count": tally.count,
-        "squares": [hex(total) for total in tally.squares],
-        "maximum": tally.maximum.tolist(),
-        "worst": tally.worst.tolist(),
-        "worst_states": tally.worst_states.tolist(),
+        "count": statistics.count,
+        "squares": [hex(total) for total in statistics.squares],
+        "maximum": statistics.maximum.tolist(),
+        "worst": statistics.worst.tolist(),
+        "worst_states": statistics.worst_states.tolist(),
         "bins": {
-            "shape": list(tally.bins.shape),
+            "shape": list(statistics.bins.shape),
             "joint": joint.tolist(),
             "bin": bin_.tolist(),
-            "count": tally.bins[joint, bin_].tolist(),
+            "count": statistics.bins[joint, bin_].tolist(),
         },
-        "over": tally.over.tolist(),
-        "visits": tally.visits.tolist(),
-        "reach": tally.reach.tolist(),
+        "tolerance": statistics.tolerance.tolist(),
+        "visits": statistics.visits.tolist(),
+        "reach": statistics.reach.tolist(),
     }
 
 
-def _tally(value: dict[str, Any]) -> Tally:
+def _statistics(value: dict[str, Any]) -> Statistics:
     bins = np.zeros(value["bins"]["shape"], np.int64)
     bins[value["bins"]["joint"], value["bins"]["bin"]] = value["bins"]["count"]
-    return Tally(
+    return Statistics(
         count=int(value["count"]),
         squares=tuple(int(total, 16) for total in value["squares"]),
         maximum=np.array(value["maximum"]),
         worst=np.array(value["worst"], np.int64),
         worst_states=np.array(value["worst_states"]),
         bins=bins,
-        over=np.array(value["over"], np.int64),
+        tolerance=np.array(value["tolerance"], np.int64),
         visits=np.array(value["visits"], np.int64),
         reach=np.array(value["reach"]),
     )

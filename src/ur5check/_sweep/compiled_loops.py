@@ -12,10 +12,10 @@ from numba import njit
 
 from .._robot.transforms import Array
 from .magnitude_histogram import BINS, FIRST, HIGHEST, LOWEST, SHIFT, Counts
-from .numpy_loops import RowTally
+from .numpy_loops import RowStatistics
 from .philox import KEY_STEPS, MULTIPLIERS, ROUNDS
 
-__all__ = ["drawn", "row_tally"]
+__all__ = ["drawn", "row_statistics"]
 
 _QUIET: dict[str, Any] = {"nogil": True, "cache": True, "error_model": "numpy"}
 _M0, _M1 = map(np.uint64, MULTIPLIERS)
@@ -55,7 +55,7 @@ def _squares(row: Array, sizes: Array) -> float:
 
 
 @njit("i8(f8[::1], i8[::1], i8[::1], f8)", **_QUIET)
-def _counted(sizes: Array, bits: Counts, bins: Counts, over: float) -> int:
+def _counted(sizes: Array, bits: Counts, bins: Counts, tolerance: float) -> int:
     passed = 0
     for k in range(len(sizes)):
         size = sizes[k]
@@ -65,7 +65,7 @@ def _counted(sizes: Array, bits: Counts, bins: Counts, over: float) -> int:
             bins[BINS - 1] += 1
         else:
             bins[(bits[k] >> SHIFT) - FIRST] += 1
-        passed += size > over
+        passed += size > tolerance
     return passed
 
 
@@ -79,10 +79,10 @@ def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Arr
     return out[:rows]
 
 
-def row_tally(row: Array, over: float) -> RowTally:
-    """`rows.row_tally`, compiled."""
+def row_statistics(row: Array, tolerance: float) -> RowStatistics:
+    """`rows.row_statistics`, compiled."""
     sizes, bins = np.empty(len(row)), np.zeros(BINS, np.int64)
     square = float(_squares(row, sizes))
     where = int(sizes.argmax())
-    passed = _counted(sizes, sizes.view(np.int64), bins, over)
-    return RowTally(sizes, where, square, bins, int(passed))
+    passed = _counted(sizes, sizes.view(np.int64), bins, tolerance)
+    return RowStatistics(sizes, where, square, bins, int(passed))

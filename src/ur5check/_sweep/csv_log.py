@@ -87,7 +87,7 @@ class CsvLog:
                 if not _is_number(cells[column]):
                     raise StateError(
                         f"{self.file}:{number}: column {self.header[column]!r} is no finite number "
-                        f"(got {cells[column]!r}); mend or leave out this line"
+                        f"(got {cells[column]!r}); repair or leave out this line"
                     )
 
     def _changed(self) -> StateError:

@@ -1,4 +1,5 @@
-r"""The same work on many machines: spans of blocks as tasks of a Dask cluster, tallies as a tree.
+r"""The same work on many machines: spans of blocks as tasks of a Dask cluster, statistics as a
+tree.
 
     span  span  span  span   …   a task each, on whichever worker is free
        \   |     |   /
@@ -21,46 +22,46 @@ import numpy as np
 
 from .._errors import UsageError
 from .._version import __version__
-from .executor import Crew, Span, fair, in_order, spans
-from .statistics import Tally, merged
+from .executor import Executor, Span, fair, in_order, spans
+from .statistics import Statistics, merged
 from .sweep_plan import Plan
 
 __all__ = ["cluster"]
 
 _MOST = 1024  # blocks a task: seconds, which outlast a task's scheduling (milliseconds) by far
-_BOUGH = 8  # spans that are merged before they travel
+_BATCH_NODE = 8  # spans that are merged before they travel
 _AHEAD = 2  # tasks under way for each thread of the workers
 _PATIENCE = 10.0  # [s] for the scheduler to answer
 
 
-def cluster(address: str, batch: int | None = None) -> Crew:
+def cluster(address: str, batch: int | None = None) -> Executor:
     """The workers of the scheduler at `address` ("tcp://192.0.2.7:8786"), `batch` blocks a task.
 
     Raises UsageError, once at work, where no scheduler answers, or its workers are others than this
     process: not the same versions, or not the same engine.
     """
 
-    def work(plan: Plan, start: int) -> Generator[Tally]:
+    def work(plan: Plan, start: int) -> Generator[Statistics]:
         payload, made_by = pickle.dumps(plan), _versions(plan)
         with _client(address) as client:
 
-            def bough(group: tuple[Span, ...]) -> Any:
+            def batch_node(group: tuple[Span, ...]) -> Any:
                 tasks = [client.submit(_task, payload, made_by, span, pure=False) for span in group]
                 return client.submit(merged, tasks, pure=False)
 
             workers = sum(client.nthreads().values())
             blocks = plan.blocks - start
             todo = spans(start, plan.blocks, batch or fair(blocks, workers, _MOST))
-            ahead = 2 + _AHEAD * workers // _BOUGH
-            yield from in_order(_boughs(todo), bough, _got, ahead)
+            ahead = 2 + _AHEAD * workers // _BATCH_NODE
+            yield from in_order(_batch_nodes(todo), batch_node, _got, ahead)
 
     return work
 
 
-def _boughs(todo: Iterable[Span]) -> Iterator[tuple[Span, ...]]:
+def _batch_nodes(todo: Iterable[Span]) -> Iterator[tuple[Span, ...]]:
     rest = iter(todo)
-    while bough := tuple(islice(rest, _BOUGH)):
-        yield bough
+    while batch_node := tuple(islice(rest, _BATCH_NODE)):
+        yield batch_node
 
 
 def _client(address: str) -> Any:
@@ -86,28 +87,28 @@ def _client(address: str) -> Any:
     return client
 
 
-def _got(future: Any) -> Tally:
+def _got(future: Any) -> Statistics:
     from distributed import KilledWorker
 
     try:
-        tally: Tally = future.result()
+        statistics: Statistics = future.result()
     except KilledWorker as error:
         raise UsageError(f"workers die at their work; look into their logs ({error})") from None
     except CancelledError:
         raise UsageError(
             "the scheduler went away; start it again, and with --checkpoint go on from there"
         ) from None
-    return tally
+    return statistics
 
 
-def _task(payload: bytes, made_by: dict[str, str], span: Span) -> Tally:
+def _task(payload: bytes, made_by: dict[str, str], span: Span) -> Statistics:
     """One task, on a worker."""
     plan = _plan(payload)
     if (ours := _versions(plan)) != made_by:
         raise UsageError(
             f"a worker has {_listed(ours)}, the sweep {_listed(made_by)}; install the same on both"
         )
-    return plan.tally(*span)
+    return plan.statistics(*span)
 
 
 @lru_cache(maxsize=4)

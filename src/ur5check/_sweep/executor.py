@@ -1,7 +1,8 @@
-"""Who does the work: threads of this process.  (`cluster` has another crew, with the same face.)
+"""Who does the work: threads of this process.  (`cluster` has another executor, with the same
+face.)
 
-A crew takes the blocks from a given one on, a span of them at a time, and hands back the spans'
-tallies in order, so that whoever listens can say at any moment: all blocks before this one are
+A executor takes the blocks from a given one on, a span of them at a time, and hands back the spans'
+statistics in order, so that whoever listens can say at any moment: all blocks before this one are
 done.
 """
 
@@ -12,13 +13,13 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import TypeVar
 
-from .statistics import Tally
+from .statistics import Statistics
 from .sweep_plan import Plan
 
-__all__ = ["Crew", "Span", "fair", "in_order", "spans", "threads"]
+__all__ = ["Executor", "Span", "fair", "in_order", "spans", "threads"]
 
 Span = tuple[int, int]  # blocks start … stop − 1
-Crew = Callable[[Plan, int], Generator[Tally]]  # of a plan, from this block on
+Executor = Callable[[Plan, int], Generator[Statistics]]  # of a plan, from this block on
 
 #: A quarter of a million states, a fraction of a second: Ctrl-C and progress need no more patience.
 _MOST = 16
@@ -40,18 +41,20 @@ def fair(blocks: int, workers: int, most: int) -> int:
     return min(max(blocks // (_SHARES * workers), 1), most)
 
 
-def threads(count: int, batch: int | None = None) -> Crew:
+def threads(count: int, batch: int | None = None) -> Executor:
     """`count` threads of this process, which take `batch` blocks at a time."""
 
-    def work(plan: Plan, start: int) -> Generator[Tally]:
+    def work(plan: Plan, start: int) -> Generator[Statistics]:
         blocks = plan.blocks - start
         todo = spans(start, plan.blocks, batch or fair(blocks, count, _MOST))
         if count == 1:
-            yield from (plan.tally(*span) for span in todo)
+            yield from (plan.statistics(*span) for span in todo)
             return
         pool = ThreadPoolExecutor(count, "sweep")
         try:
-            yield from in_order(todo, lambda span: pool.submit(plan.tally, *span), _got, 2 * count)
+            yield from in_order(
+                todo, lambda span: pool.submit(plan.statistics, *span), _got, 2 * count
+            )
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
 
@@ -71,5 +74,5 @@ def in_order(
         yield result(waiting.popleft())
 
 
-def _got(future: Future[Tally]) -> Tally:
+def _got(future: Future[Statistics]) -> Statistics:
     return future.result()

@@ -6,9 +6,9 @@ from importlib.util import find_spec
 
 from .._robot.transforms import Array
 from . import numpy_loops as rows
-from .numpy_loops import RowTally
+from .numpy_loops import RowStatistics
 
-__all__ = ["drawn", "row_tally"]
+__all__ = ["drawn", "row_statistics"]
 
 _NUMBA = find_spec("numba") is not None
 
@@ -25,10 +25,10 @@ def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Arr
     return rows.drawn(seed, block, width, lower, length)
 
 
-def row_tally(row: Array, over: float) -> RowTally:
+def row_statistics(row: Array, tolerance: float) -> RowStatistics:
     """What is counted of one joint's Δτ, shape (N,), contiguous [N m]."""
     if _NUMBA:
         from . import compiled_loops as fused
 
-        return fused.row_tally(row, over)
-    return rows.row_tally(row, over)
+        return fused.row_statistics(row, tolerance)
+    return rows.row_statistics(row, tolerance)

@@ -11,10 +11,10 @@ from .._robot.transforms import Array
 from .magnitude_histogram import Counts, count_sizes
 from .philox import random_words
 
-__all__ = ["RowTally", "drawn", "placed", "row_tally"]
+__all__ = ["RowStatistics", "drawn", "placed", "row_statistics"]
 
 
-class RowTally(NamedTuple):
+class RowStatistics(NamedTuple):
     """One joint's differences in one block.
 
     sizes : |Δτ|, shape (N,);  where : of the largest one, the first of equal ones
@@ -43,16 +43,16 @@ def drawn(seed: int, block: int, width: Array, lower: Array, length: int) -> Arr
     return placed(random_words(seed, block, len(width), length), width, lower)
 
 
-def row_tally(row: Array, over: float) -> RowTally:
+def row_statistics(row: Array, tolerance: float) -> RowStatistics:
     """What is counted of one joint's Δτ, shape (N,) [N m].
 
     over : the limit, inf if there is none
     """
     sizes = np.abs(row)
-    return RowTally(
+    return RowStatistics(
         sizes,
         int(sizes.argmax()),
         float(np.square(sizes).sum()),
         count_sizes(sizes),
-        int(np.count_nonzero(sizes > over)),
+        int(np.count_nonzero(sizes > tolerance)),
     )

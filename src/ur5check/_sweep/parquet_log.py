@@ -76,7 +76,7 @@ def _row_group(log: ParquetLog, group: int) -> Array:
             at = int(np.flatnonzero(~np.isfinite(row))[0])
             raise StateError(
                 f"{log.file}: row {log.groups[group] + at + 1}: column {name!r} is no finite "
-                f"number (got {column[at].as_py()}); mend or leave out this row"
+                f"number (got {column[at].as_py()}); repair or leave out this row"
             )
     return rows
 

@@ -9,16 +9,17 @@ from types import TracebackType
 
 from .checkpoint import Checkpoint, save
 from .state_sample import BLOCK
-from .statistics import Tally
+from .statistics import Statistics
 from .sweep_plan import Plan
 
-__all__ = ["Journal"]
+__all__ = ["SweepProgress"]
 
 _SAY_EVERY = 5.0  # [s]
 
 
-class Journal:
-    """Takes tallies in the order of their blocks.  Leaving it, even by Ctrl-C, saves what is done.
+class SweepProgress:
+    """Takes statistics in the order of their blocks.  Leaving it, even by Ctrl-C, saves what is
+    done.
 
     done : where to go on from, if anywhere
     """
@@ -35,7 +36,7 @@ class Journal:
         self._done = done
         self._saved = done
         self._began = self._said = self._written = monotonic()
-        self._first = 0 if done is None else done.tally.count
+        self._first = 0 if done is None else done.statistics.count
         if done is not None:
             self._say(f"going on from {path}: {self._first:,} states are done")
 
@@ -45,16 +46,16 @@ class Journal:
         return 0 if self._done is None else self._done.blocks
 
     @property
-    def tally(self) -> Tally:
+    def statistics(self) -> Statistics:
         """Of all that is done."""
         if self._done is None:
             raise ValueError("nothing is done yet")
-        return self._done.tally
+        return self._done.statistics
 
-    def add(self, tally: Tally) -> None:
-        """The next blocks' tally."""
-        blocks = self.blocks + -(-tally.count // BLOCK)
-        whole = tally if self._done is None else self._done.tally.merge(tally)
+    def add(self, statistics: Statistics) -> None:
+        """The next blocks' statistics."""
+        blocks = self.blocks + -(-statistics.count // BLOCK)
+        whole = statistics if self._done is None else self._done.statistics.merge(statistics)
         self._done = Checkpoint(blocks, whole)
         now = monotonic()
         if now - self._said >= _SAY_EVERY:
@@ -64,7 +65,7 @@ class Journal:
             self._save()
             self._written = monotonic()
 
-    def __enter__(self) -> Journal:
+    def __enter__(self) -> SweepProgress:
         return self
 
     def __exit__(
@@ -77,7 +78,9 @@ class Journal:
         if kind is None:
             self._say(self._summary())
         elif self._path is not None and self._done is not None:
-            self._say(f"{self._path} keeps {self.tally.count:,} states; the same command goes on")
+            self._say(
+                f"{self._path} keeps {self.statistics.count:,} states; the same command goes on"
+            )
 
     def _save(self) -> None:
         if self._path is not None and self._done is not None and self._done is not self._saved:
@@ -86,15 +89,15 @@ class Journal:
 
     def _rate(self) -> float:
         """States a second, of those done here."""
-        return (self.tally.count - self._first) / max(monotonic() - self._began, 1e-9)
+        return (self.statistics.count - self._first) / max(monotonic() - self._began, 1e-9)
 
     def _sentence(self) -> str:
-        count, total, rate = self.tally.count, self._plan.sample.count, self._rate()
+        count, total, rate = self.statistics.count, self._plan.sample.count, self._rate()
         left = duration((total - count) / rate)
         return f"{count:,} of {total:,} states, {rate:,.0f} a second, {left} left"
 
     def _summary(self) -> str:
-        count, rate = self.tally.count - self._first, self._rate()
+        count, rate = self.statistics.count - self._first, self._rate()
         return f"{count:,} states in {monotonic() - self._began:.1f} s, {rate:,.0f} a second"
 
 

@@ -56,7 +56,7 @@ def reach_grid(arm: SerialArm, travel: Array) -> ReachGrid:
     """
     lengths = [float(np.linalg.norm(arm.base.p))]
     for joint, link, far in zip(arm.joints, arm.links, travel, strict=True):
-        lengths.append(float(np.linalg.norm(link.far_end.p)))
+        lengths.append(float(np.linalg.norm(link.link_tip_frame.p)))
         lengths.append(float(far) if joint.kind == "prismatic" else 0.0)
     reach = sum(lengths)
     return ReachGrid(reach if reach > 0.0 else 1.0)

@@ -18,14 +18,14 @@ from .._errors import StateError
 from .._robot.states import States
 from .._robot.transforms import Array
 from .exact_sum import exact
-from .loop_choice import row_tally
+from .loop_choice import row_statistics
 from .magnitude_histogram import BINS, Counts
 
-__all__ = ["Tally", "merged", "tally_of"]
+__all__ = ["Statistics", "merged", "statistics_of"]
 
 
 @dataclass(frozen=True, eq=False)
-class Tally:
+class Statistics:
     """Δτ of `count` states, n joints.
 
     squares : sum of Δτ² per joint, exact (see `exact`)
@@ -42,11 +42,11 @@ class Tally:
     worst: NDArray[np.int64]
     worst_states: Array
     bins: Counts
-    over: Counts
+    tolerance: Counts
     visits: Counts
     reach: Array
 
-    def merge(self, other: Tally, *, spend: bool = False) -> Tally:
+    def merge(self, other: Statistics, *, spend: bool = False) -> Statistics:
         """Both together.
 
         spend : write into this one's large arrays, so that it is no more; fresh memory for every
@@ -55,19 +55,19 @@ class Tally:
         theirs = (other.maximum > self.maximum) | (
             (other.maximum == self.maximum) & (other.worst < self.worst)
         )
-        return Tally(
+        return Statistics(
             self.count + other.count,
             tuple(ours + more for ours, more in zip(self.squares, other.squares, strict=True)),
             np.where(theirs, other.maximum, self.maximum),
             np.where(theirs, other.worst, self.worst),
             np.where(theirs[:, None, None], other.worst_states, self.worst_states),
             np.add(self.bins, other.bins, out=self.bins if spend else None),
-            self.over + other.over,
+            self.tolerance + other.tolerance,
             self.visits + other.visits,
             np.maximum(self.reach, other.reach),
         )
 
-    def on_map(self, cell: NDArray[np.intp], sizes: Array, cells: int) -> Tally:
+    def on_map(self, cell: NDArray[np.intp], sizes: Array, cells: int) -> Statistics:
         """The same with a map of so many cells.
 
         cell : where the tool is, shape (N,);  sizes : |Δτ| there, shape (N, n)
@@ -78,22 +78,22 @@ class Tally:
         return replace(self, visits=np.bincount(cell, minlength=cells), reach=reach)
 
 
-def merged(tallies: Iterable[Tally]) -> Tally:
+def merged(parts: Iterable[Statistics]) -> Statistics:
     """All of them together; at least one.  None of them is changed."""
-    rest = iter(tallies)
+    rest = iter(parts)
     total, ours = next(rest), False
-    for tally in rest:
-        total, ours = total.merge(tally, spend=ours), True
+    for statistics in rest:
+        total, ours = total.merge(statistics, spend=ours), True
     return total
 
 
-def tally_of(
+def statistics_of(
     delta: Array,
     states: States,
     first: int,
     *,
-    over: Array | None,
-) -> Tally:
+    tolerance: Array | None,
+) -> Statistics:
     """The record of one block without a map, a joint at a time: a row stays in the cache.
 
     delta : Δτ, shape (N, n) [N m];  first : index of the block's first state
@@ -107,8 +107,8 @@ def tally_of(
     maximum, bins = np.zeros(n), np.zeros((n, BINS), np.int64)
     for j in range(n):
         row = np.ascontiguousarray(delta[:, j])
-        sizes, where[j], square, bins[j], passed[j] = row_tally(
-            row, np.inf if over is None else over[j]
+        sizes, where[j], square, bins[j], passed[j] = row_statistics(
+            row, np.inf if tolerance is None else tolerance[j]
         )
         maximum[j] = sizes[where[j]]
         if not math.isfinite(square):
@@ -119,4 +119,6 @@ def tally_of(
         squares.append(exact(square))
     worst_states = np.stack([part[where] for part in (states.q, states.qd, states.qdd)], axis=1)
     no_map = np.zeros(0, np.int64), np.zeros((n, 0))
-    return Tally(count, tuple(squares), maximum, first + where, worst_states, bins, passed, *no_map)
+    return Statistics(
+        count, tuple(squares), maximum, first + where, worst_states, bins, passed, *no_map
+    )

@@ -1,7 +1,7 @@
 """`ur5check.sweep`: two arms at as many states as you like, in memory that does not grow.
 
-    states of block k → Δτ → tally ─┐
-    states of block l → Δτ → tally ─┴→ one tally → Sweep
+    states of block k → Δτ → statistics ─┐
+    states of block l → Δτ → statistics ─┴→ one statistics → Sweep
 
 Who computes the blocks, how many at a time and in which order changes no digit of the result.
 """
@@ -26,13 +26,13 @@ from .._io.loading import ArmSource, load
 from .._robot.states import MAX_ACCELERATION, MAX_ANGLE, MAX_RATE
 from .._robot.transforms import Array
 from .checkpoint import load as load_checkpoint
-from .executor import Crew
-from .executor import threads as threads_crew
-from .progress import Journal
+from .executor import Executor
+from .executor import threads as thread_executor
+from .progress import SweepProgress
 from .sobol_sample import SobolSample
 from .state_log import is_log, log_sample
 from .state_sample import GridSample, RandomSample, Sample
-from .statistics import Tally
+from .statistics import Statistics
 from .sweep_plan import Plan, plan_of
 from .sweep_result import Sweep
 
@@ -51,7 +51,7 @@ def sweep(
     sample: SampleKind | str | PathLike[str] = "random",
     seed: int = 0,
     within_limits: bool = False,
-    over: ArrayLike | None = None,
+    tolerance: ArrayLike | None = None,
     gravity: ArrayLike | None = None,
     threads: int = 1,
     batch: int | None = None,
@@ -64,7 +64,7 @@ def sweep(
 
     Parameters
     ----------
-    a, b : a catalogue name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    a, b : a list of mistakes name, a path, a `pin.Model` or a `SerialArm` (see `load`)
     states : how many, a million unless said; a grid takes the largest one that has no more; a log
         brings its own
     sample : "random", "sobol", "grid" (postures at rest), or a .csv or .parquet log of a's joints
@@ -90,13 +90,13 @@ def sweep(
     if threads < 1 or (batch is not None and batch < 1):
         raise UsageError(f"threads and batch must be at least 1, not {threads} and {batch}")
     pair = pair_up(*(under_gravity(load(source), gravity) for source in (a, b)))
-    plan = plan_of(pair, _sample(pair, states, sample, seed, within_limits), over)
+    plan = plan_of(pair, _sample(pair, states, sample, seed, within_limits), tolerance)
     return Sweep(
         pair,
         plan,
         run(
             plan,
-            _crew(threads, scheduler, batch),
+            _executor(threads, scheduler, batch),
             None if checkpoint is None else Path(checkpoint),
             checkpoint_every,
             progress or (lambda line: None),
@@ -107,24 +107,24 @@ def sweep(
 
 def run(
     plan: Plan,
-    crew: Crew,
+    executor: Executor,
     checkpoint: Path | None,
     checkpoint_every: float,
     progress: Callable[[str], None],
-) -> Tally:
-    """All blocks of a plan that are not done yet, and with those that are: one tally."""
+) -> Statistics:
+    """All blocks of a plan that are not done yet, and with those that are: one statistics."""
     done = None if checkpoint is None else load_checkpoint(checkpoint, plan)
-    journal = Journal(plan, checkpoint, checkpoint_every, done, progress)
-    # Closed before the journal is, so that no thread works on while it saves.
-    with journal, closing(crew(plan, journal.blocks)) as tallies:
-        for tally in tallies:
-            journal.add(tally)
-    return journal.tally
+    sweep_progress = SweepProgress(plan, checkpoint, checkpoint_every, done, progress)
+    # Closed before the progress record is, so that no thread works on while it saves.
+    with sweep_progress, closing(executor(plan, sweep_progress.blocks)) as parts:
+        for statistics in parts:
+            sweep_progress.add(statistics)
+    return sweep_progress.statistics
 
 
-def _crew(count: int, scheduler: str | None, batch: int | None) -> Crew:
+def _executor(count: int, scheduler: str | None, batch: int | None) -> Executor:
     if scheduler is None:
-        return threads_crew(count, batch)
+        return thread_executor(count, batch)
     from .dask_cluster import cluster
 
     return cluster(scheduler, batch)

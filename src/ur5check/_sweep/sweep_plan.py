@@ -18,12 +18,13 @@ from .._robot.transforms import Array
 from .._version import __version__
 from .reach_map import ReachGrid, reach_grid, tool_position
 from .state_sample import BLOCK, Sample, blocks_of, box_value
-from .statistics import Tally, merged, tally_of
+from .statistics import Statistics, merged, statistics_of
 from .torque_difference import TorqueDifference, torque_difference
 
 __all__ = ["Plan", "plan_of"]
 
-#: A map wants a million states, not a billion: a tool's position costs several times its tally.
+#: A map wants a million states, not a billion: a tool's position costs several times its
+#: statistics.
 _MAP_STATES = 1_000_000
 _MAP_EVERY = 64
 
@@ -39,7 +40,7 @@ class Plan:
     a: SerialArm
     b: SerialArm
     sample: Sample
-    over: Array | None
+    tolerance: Array | None
     grid: ReachGrid
     map_every: int
 
@@ -52,19 +53,19 @@ class Plan:
         """What computes the torques."""
         return _difference(self).engine
 
-    def tally(self, start: int, stop: int) -> Tally:
+    def statistics(self, start: int, stop: int) -> Statistics:
         """Blocks start … stop − 1, one after the other; their map is drawn at the end, at once."""
         seen: list[tuple[Array, Array]] = []
-        total = merged(self._tally(k, seen) for k in range(start, stop))
+        total = merged(self._statistics(k, seen) for k in range(start, stop))
         q, sizes = (np.concatenate(part) for part in zip(*seen, strict=True))
         return total.on_map(self.cells_of(q), sizes, self.grid.cells)
 
-    def _tally(self, k: int, seen: list[tuple[Array, Array]]) -> Tally:
+    def _statistics(self, k: int, seen: list[tuple[Array, Array]]) -> Statistics:
         """Block k without its map; what the map will want of it is put by."""
         states = self.sample.block(k)
         delta = _difference(self).of(states.q, states.qd, states.qdd)
         seen.append((states.q[:: self.map_every].copy(), np.abs(delta[:: self.map_every])))
-        return tally_of(delta, states, BLOCK * k, over=self.over)
+        return statistics_of(delta, states, BLOCK * k, tolerance=self.tolerance)
 
     def cells_of(self, q: Array) -> NDArray[np.intp]:
         """Where the tool is at these positions, shape (N, n)."""
@@ -80,12 +81,12 @@ class Plan:
             "model B": _numbers(self.b),
             "states": self.sample.count,
             "sample": self.sample.description(),
-            "limit": None if self.over is None else self.over.tolist(),
+            "limit": None if self.tolerance is None else self.tolerance.tolist(),
             "reach map": [self.grid.reach, self.map_every],
         }
 
 
-def plan_of(pair: Pair, sample: Sample, over: ArrayLike | None) -> Plan:
+def plan_of(pair: Pair, sample: Sample, tolerance: ArrayLike | None) -> Plan:
     """The plan for a pair of arms.  Raises UsageError for a limit that is none."""
     of = sample.description()
     box = of.get("box") or box_value(state_box(pair, 0.0))
@@ -96,15 +97,15 @@ def plan_of(pair: Pair, sample: Sample, over: ArrayLike | None) -> Plan:
         _bare(pair.a),
         _bare(pair.b),
         sample,
-        None if over is None else _limits(over, pair.a.n),
+        None if tolerance is None else _limits(tolerance, pair.a.n),
         reach_grid(pair.a, travel),
         every,
     )
 
 
-def _limits(over: ArrayLike, n: int) -> Array:
+def _limits(tolerance: ArrayLike, n: int) -> Array:
     """Limits of n joints, shape (n,), from one or n of them."""
-    limits = np.asarray(over, dtype=np.float64)
+    limits = np.asarray(tolerance, dtype=np.float64)
     if limits.shape not in ((), (1,), (n,)):
         raise UsageError(f"over has {limits.size} limits; give one, or one for each of {n} joints")
     if not (np.isfinite(limits).all() and (limits >= 0.0).all()):
@@ -131,7 +132,7 @@ def _numbers(arm: SerialArm) -> dict[str, Any]:
             for joint in arm.joints
         ],
         "links": [
-            [link.far_end.matrix().tolist(), link.inertia.parameters().tolist()]
+            [link.link_tip_frame.matrix().tolist(), link.inertia.parameters().tolist()]
             for link in arm.links
         ],
         "base": arm.base.matrix().tolist(),

@@ -12,7 +12,7 @@ from .._comparison.worst_case.state_box import effort_limits
 from .._robot.transforms import Array
 from .exact_sum import mean
 from .magnitude_histogram import quantile
-from .statistics import Tally
+from .statistics import Statistics
 from .sweep_plan import Plan
 
 __all__ = ["QUANTILES", "Sweep"]
@@ -27,20 +27,20 @@ class Sweep:
 
     pair : both arms, in a's joint coordinates
     plan : states, limits, reach map
-    tally : what was kept
+    statistics : what was kept
     scale_rms, scale_max : of τ_a itself in the first block [N m], to judge a difference by
     """
 
     pair: Pair
     plan: Plan
-    tally: Tally
+    statistics: Statistics
     scale_rms: Array
     scale_max: Array
 
     @property
     def count(self) -> int:
         """Number of states."""
-        return self.tally.count
+        return self.statistics.count
 
     @property
     def log(self) -> tuple[tuple[str, str], ...]:
@@ -51,12 +51,12 @@ class Sweep:
     @property
     def rms(self) -> Array:
         """[N m]."""
-        return np.array([mean(total, self.count) ** 0.5 for total in self.tally.squares])
+        return np.array([mean(total, self.count) ** 0.5 for total in self.statistics.squares])
 
     @property
     def maximum(self) -> Array:
         """Largest |Δτ| [N m]."""
-        return self.tally.maximum
+        return self.statistics.maximum
 
     @property
     def effort(self) -> Array:
@@ -69,17 +69,21 @@ class Sweep:
 
     def worst_state(self, joint: int) -> dict[str, list[float]]:
         """The state of a joint's maximum, joints counted from 0."""
-        q, qd, qdd = self.tally.worst_states[joint].tolist()
+        q, qd, qdd = self.statistics.worst_states[joint].tolist()
         return {"q": q, "qd": qd, "qdd": qdd}
 
     def quantile(self, share: float) -> Array:
         """|Δτ| that `share` of the states do not exceed [N m], to RELATIVE_ERROR of itself."""
-        found = [quantile(counts, share) for counts in self.tally.bins]
+        found = [quantile(counts, share) for counts in self.statistics.bins]
         return np.asarray(np.minimum(found, self.maximum))
 
     def share_over(self) -> Array | None:
         """Share of the states over the limit; None if no limit was asked for."""
-        return None if self.plan.over is None else np.asarray(self.tally.over / self.count)
+        return (
+            None
+            if self.plan.tolerance is None
+            else np.asarray(self.statistics.tolerance / self.count)
+        )
 
     @property
     def agrees(self) -> bool:

@@ -1,4 +1,6 @@
-"""What the laws are asked of: one arm, our dynamics, a referee, and the states to look at."""
+"""What the laws are asked of: one arm, our dynamics, a reference engine, and the states to look
+at.
+"""
 
 from __future__ import annotations
 
@@ -9,19 +11,19 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from .._engines.engine import Referee
+from .._engines.engine import ReferenceEngine
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States
 from .._robot.transforms import Array
 
-__all__ = ["STEP", "OwnDynamics", "Subject"]
+__all__ = ["STEP", "RecursionDynamics", "Subject"]
 
 STEP = 1e-30  # of complex derivatives, which subtract nothing: any tiny one will do
 
 Numbers = NDArray[Any]
 
 
-class OwnDynamics(Referee, Protocol):
+class RecursionDynamics(ReferenceEngine, Protocol):
     """An engine that also knows its energies and takes complex states: ours."""
 
     def kinetic_energy(self, q: Numbers, qd: Numbers) -> Numbers:
@@ -37,50 +39,50 @@ class OwnDynamics(Referee, Protocol):
 class Subject:
     """One arm under test.  What several laws need is computed once.
 
-    own : the hand-written dynamics;  referee : another engine holding the same arm
+    own : the hand-written dynamics;  reference engine : another engine holding the same arm
     gravity : in the arm's base frame [m/s²]
     """
 
     arm: SerialArm
-    own: OwnDynamics
-    referee: Referee
+    recursion: RecursionDynamics
+    reference: ReferenceEngine
     states: States
     gravity: Array
 
     @cached_property
     def tau(self) -> Array:
-        return self.own.inverse_dynamics(self.states.q, self.states.qd, self.states.qdd)
+        return self.recursion.inverse_dynamics(self.states.q, self.states.qd, self.states.qdd)
 
     @cached_property
     def M(self) -> Array:
-        return self.own.mass_matrix(self.states.q)
+        return self.recursion.mass_matrix(self.states.q)
 
     @cached_property
     def C(self) -> Array:
-        return self.own.coriolis_matrix(self.states.q, self.states.qd)
+        return self.recursion.coriolis_matrix(self.states.q, self.states.qd)
 
     @cached_property
     def rate_of_M(self) -> Array:
         """Ṁ along the motion: M(q + i h q̇), imaginary part over h.  No C is involved."""
         moved = self.states.q + 1j * STEP * self.states.qd
-        return np.asarray(self.own.mass_matrix(moved).imag / STEP)
+        return np.asarray(self.recursion.mass_matrix(moved).imag / STEP)
 
     @cached_property
     def qdd(self) -> Array:
         """What our forward dynamics makes of `tau`."""
-        return self.own.forward_dynamics(self.states.q, self.states.qd, self.tau)
+        return self.recursion.forward_dynamics(self.states.q, self.states.qd, self.tau)
 
     @cached_property
     def g(self) -> Array:
-        return self.own.gravity_torque(self.states.q)
+        return self.recursion.gravity_torque(self.states.q)
 
     @cached_property
-    def referee_tau(self) -> Array:
-        return self.referee.inverse_dynamics(self.states.q, self.states.qd, self.states.qdd)
+    def reference_tau(self) -> Array:
+        return self.reference.inverse_dynamics(self.states.q, self.states.qd, self.states.qdd)
 
     @cached_property
     def regressor(self) -> Array:
-        return self.own.torque_regressor(self.states.q, self.states.qd, self.states.qdd)
+        return self.recursion.torque_regressor(self.states.q, self.states.qd, self.states.qdd)
 
     # Sizes, against which rounding is judged.
 
@@ -93,7 +95,7 @@ class Subject:
         """
         reach, torque = 0.0, 0.0
         for link in self.arm.links:
-            reach += float(np.linalg.norm(link.far_end.p))
+            reach += float(np.linalg.norm(link.link_tip_frame.p))
             lever = reach + float(np.linalg.norm(link.inertia.com))
             torque += abs(link.inertia.mass) * lever
         return torque * float(np.linalg.norm(self.gravity))

@@ -28,13 +28,14 @@ def _per_state(difference: Array) -> Array:
     return worst
 
 
-# --- against the referee -------------------------------------------------------------------------
+# --- against the reference engine
+# -------------------------------------------------------------------------
 
 
-def _fk_referee(s: Subject) -> Measurement:
-    own, other = (e.forward_kinematics(s.states.q) for e in (s.own, s.referee))
-    position, angle = tool_errors(own, other)
-    reach = sum(float(np.linalg.norm(link.far_end.p)) for link in s.arm.links)
+def _fk_reference(s: Subject) -> Measurement:
+    recursion, other = (e.forward_kinematics(s.states.q) for e in (s.recursion, s.reference))
+    position, angle = tool_errors(recursion, other)
+    reach = sum(float(np.linalg.norm(link.link_tip_frame.p)) for link in s.arm.links)
     size = max(1.0, reach + float(np.linalg.norm(s.arm.base.p)))
     return Measurement(
         np.asarray(np.maximum(position, angle)),
@@ -43,31 +44,31 @@ def _fk_referee(s: Subject) -> Measurement:
     )
 
 
-def _torque_referee(s: Subject) -> Measurement:
-    return Measurement(_per_state(s.tau - s.referee_tau), s.torque_size)
+def _torque_reference(s: Subject) -> Measurement:
+    return Measurement(_per_state(s.tau - s.reference_tau), s.torque_size)
 
 
-def _mass_referee(s: Subject) -> Measurement:
-    return Measurement(_per_state(s.M - s.referee.mass_matrix(s.states.q)), s.mass_size)
+def _mass_reference(s: Subject) -> Measurement:
+    return Measurement(_per_state(s.M - s.reference.mass_matrix(s.states.q)), s.mass_size)
 
 
-def _bias_referee(s: Subject) -> Measurement:
+def _bias_reference(s: Subject) -> Measurement:
     ours = np.einsum("kij,kj->ki", s.C, s.states.qd) + s.g
-    theirs = s.referee.bias_torque(s.states.q, s.states.qd)
+    theirs = s.reference.bias_torque(s.states.q, s.states.qd)
     return Measurement(_per_state(ours - theirs), s.torque_size)
 
 
-def _gravity_referee(s: Subject) -> Measurement:
-    return Measurement(_per_state(s.g - s.referee.gravity_torque(s.states.q)), s.torque_size)
+def _gravity_reference(s: Subject) -> Measurement:
+    return Measurement(_per_state(s.g - s.reference.gravity_torque(s.states.q)), s.torque_size)
 
 
-def _forward_referee(s: Subject) -> Measurement:
-    theirs = s.referee.forward_dynamics(s.states.q, s.states.qd, s.tau)
+def _forward_reference(s: Subject) -> Measurement:
+    theirs = s.reference.forward_dynamics(s.states.q, s.states.qd, s.tau)
     return Measurement(_per_state(s.qdd - theirs), _acceleration_size(s))
 
 
-def _regressor_referee(s: Subject) -> Measurement:
-    theirs = s.referee.torque_regressor(s.states.q, s.states.qd, s.states.qdd)
+def _regressor_reference(s: Subject) -> Measurement:
+    theirs = s.reference.torque_regressor(s.states.q, s.states.qd, s.states.qdd)
     return Measurement(_per_state(s.regressor - theirs), float(np.abs(theirs).max()))
 
 
@@ -92,22 +93,22 @@ def _skew(s: Subject) -> Measurement:
     return Measurement(_not_skew(s.rate_of_M, s.C), s.polarised_size)
 
 
-def _skew_referee(s: Subject) -> Measurement:
-    C = s.referee.coriolis_matrix(s.states.q, s.states.qd)
+def _skew_reference(s: Subject) -> Measurement:
+    C = s.reference.coriolis_matrix(s.states.q, s.states.qd)
     return Measurement(_not_skew(s.rate_of_M, C), s.rate_size)
 
 
 def _gravity_gradient(s: Subject) -> Measurement:
     n = s.arm.n
     steps = s.states.q[:, None, :] + 1j * STEP * np.eye(n)  # one joint at a time
-    gradient = s.own.potential_energy(steps).imag / STEP
+    gradient = s.recursion.potential_energy(steps).imag / STEP
     return Measurement(_per_state(gradient - s.g), s.torque_size)
 
 
 def _power_balance(s: Subject) -> Measurement:
     q = s.states.q + 1j * STEP * s.states.qd
     qd = s.states.qd + 1j * STEP * s.states.qdd
-    energy = s.own.kinetic_energy(q, qd) + s.own.potential_energy(q)
+    energy = s.recursion.kinetic_energy(q, qd) + s.recursion.potential_energy(q)
     power = np.einsum("ki,ki->k", s.states.qd, s.tau)
     return Measurement(
         np.abs(energy.imag / STEP - power), s.torque_size * float(np.abs(s.states.qd).max())
@@ -131,34 +132,34 @@ def _regressor_torque(s: Subject) -> Measurement:
 
 LAWS: tuple[Check[Subject], ...] = (
     Check(
-        "fk-referee",
+        "fk-reference",
         "algorithm",
-        "forward kinematics, ours and the referee's",
-        "T_own(q) = T_referee(q)",
+        "forward kinematics, ours and the reference engine's",
+        "T_own(q) = T_reference(q)",
         "the chain B · J1(q1) · P1 · … · Jn(qn) · Pn; DH: paper, eq. (1)",
         "m or rad",
         _ROUNDING,
-        _fk_referee,
+        _fk_reference,
     ),
     Check(
-        "torque-referee",
+        "torque-reference",
         "algorithm",
-        "torque, ours and the referee's inverse dynamics",
-        "τ_own(q, q̇, q̈) = τ_referee(q, q̇, q̈)",
+        "torque, ours and the reference engine's inverse dynamics",
+        "τ_own(q, q̇, q̈) = τ_reference(q, q̇, q̈)",
         "paper, eqs (9)–(15); Pinocchio: rnea (Featherstone 2008, §5.3)",
         "N m",
         _ROUNDING,
-        _torque_referee,
+        _torque_reference,
     ),
     Check(
-        "mass-referee",
+        "mass-reference",
         "algorithm",
-        "mass matrix, ours and the referee's",
-        "M_own(q) = M_referee(q)",
+        "mass matrix, ours and the reference engine's",
+        "M_own(q) = M_reference(q)",
         "paper, eq. (2); Pinocchio: crba (Featherstone 2008, §6.2)",
         "kg m²",
         _ROUNDING,
-        _mass_referee,
+        _mass_reference,
     ),
     Check(
         "mass-symmetric",
@@ -182,24 +183,24 @@ LAWS: tuple[Check[Subject], ...] = (
         positive=True,
     ),
     Check(
-        "bias-referee",
+        "bias-reference",
         "algorithm",
-        "velocity and gravity torque, ours and the referee's",
-        "C(q, q̇) q̇ + g(q) = b_referee(q, q̇)",
+        "velocity and gravity torque, ours and the reference engine's",
+        "C(q, q̇) q̇ + g(q) = b_reference(q, q̇)",
         "paper, eq. (2); Pinocchio: nonLinearEffects",
         "N m",
         _ROUNDING,
-        _bias_referee,
+        _bias_reference,
     ),
     Check(
-        "gravity-referee",
+        "gravity-reference",
         "algorithm",
-        "gravity torque, ours and the referee's",
-        "g_own(q) = g_referee(q)",
+        "gravity torque, ours and the reference engine's",
+        "g_own(q) = g_reference(q)",
         "paper, eq. (13); Pinocchio: computeGeneralizedGravity",
         "N m",
         _ROUNDING,
-        _gravity_referee,
+        _gravity_reference,
     ),
     Check(
         "gravity-gradient",
@@ -222,14 +223,14 @@ LAWS: tuple[Check[Subject], ...] = (
         _skew,
     ),
     Check(
-        "coriolis-skew-referee",
+        "coriolis-skew-reference",
         "algorithm",
-        "Ṁ − 2C is skew, with the referee's C",
-        "(Ṁ − 2C_referee) + (Ṁ − 2C_referee)ᵀ = 0",
+        "Ṁ − 2C is skew, with the reference engine's C",
+        "(Ṁ − 2C_reference) + (Ṁ − 2C_reference)ᵀ = 0",
         "as above; Pinocchio: computeCoriolisMatrix",
         "N m s",
         _ROUNDING,
-        _skew_referee,
+        _skew_reference,
     ),
     Check(
         "power-balance",
@@ -252,14 +253,14 @@ LAWS: tuple[Check[Subject], ...] = (
         _regressor_torque,
     ),
     Check(
-        "regressor-referee",
+        "regressor-reference",
         "algorithm",
-        "torque regressor, ours and the referee's",
-        "Y_own = Y_referee · A",
+        "torque regressor, ours and the reference engine's",
+        "Y_own = Y_reference · A",
         "Pinocchio: computeJointTorqueRegressor, taken to our link frames by A",
         "N m per unit",
         _ROUNDING,
-        _regressor_referee,
+        _regressor_reference,
     ),
     Check(
         "forward-inverse",
@@ -272,13 +273,13 @@ LAWS: tuple[Check[Subject], ...] = (
         _forward_inverse,
     ),
     Check(
-        "forward-referee",
+        "forward-reference",
         "algorithm",
-        "forward dynamics, ours and the referee's",
-        "q̈_own(q, q̇, τ) = q̈_referee(q, q̇, τ)",
+        "forward dynamics, ours and the reference engine's",
+        "q̈_own(q, q̇, τ) = q̈_reference(q, q̇, τ)",
         "Pinocchio: aba (Featherstone 2008, §7.3)",
         "rad/s²",
         _ROUNDING,
-        _forward_referee,
+        _forward_reference,
     ),
 )

@@ -20,12 +20,13 @@ __all__ = ["BODIES", "PAIRS", "PairSubject"]
 class PairSubject:
     """Two arms that were compared, and the two sides that speak for them.
 
-    own : our dynamics, holding arm a;  referee : another engine, holding arm b as it was given
+    own : our dynamics, holding arm a;  reference engine : another engine, holding arm b as it was
+        given
     """
 
     difference: Difference
-    own: Engine
-    referee: Engine
+    recursion: Engine
+    reference: Engine
 
 
 def _bodies(s: Subject) -> Measurement:
@@ -82,15 +83,15 @@ def _fk_alignment(s: PairSubject) -> Measurement:
 
 
 def _account(s: PairSubject) -> Measurement:
-    """Our torques of a, less the referee's of b, less what the owners explain."""
+    """Our torques of a, less the reference engine's of b, less what the owners explain."""
     states, alignment = s.difference.states, s.difference.pair.alignment
     signs, offsets = alignment.signs, alignment.offsets
-    tau_a = s.own.inverse_dynamics(states.q, states.qd, states.qdd)
-    tau_b = signs * s.referee.inverse_dynamics(
+    tau_a = s.recursion.inverse_dynamics(states.q, states.qd, states.qdd)
+    tau_b = signs * s.reference.inverse_dynamics(
         signs * states.q + offsets, signs * states.qd, signs * states.qdd
     )
-    owned = s.difference.attribution.torque.sum(axis=0)
-    left: Array = np.abs(tau_a - tau_b - owned).max(axis=1)
+    attributed = s.difference.attribution.torque.sum(axis=0)
+    left: Array = np.abs(tau_a - tau_b - attributed).max(axis=1)
     return Measurement(left, float(max(np.abs(tau_a).max(), np.abs(tau_b).max())))
 
 
@@ -111,7 +112,7 @@ PAIRS: tuple[Check[PairSubject], ...] = (
         "account",
         "numbers",
         "every newton metre of the difference has an owner",
-        "τ_own(a) − τ_referee(b) = share(geometry) + share(gravity) + Ȳ (π_a − π_b)",
+        "τ_own(a) − τ_reference(b) = share(geometry) + share(gravity) + Ȳ (π_a − π_b)",
         "linearity of torque in π; Shapley's average over orders: docs/checks.md",
         "N m",
         Tolerance(128, "rounding of two torques, and of as many regressors again"),

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from .._comparison.difference import Difference, compare, under_gravity
-from .._engines.engine import Referee
-from .._engines.recursion_engine import OwnEngine
+from .._engines.engine import ReferenceEngine
+from .._engines.recursion_engine import RecursionEngine
 from .._io.loading import ArmSource, load
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
@@ -28,7 +28,7 @@ class ModelValidation:
     """One arm against the laws."""
 
     arm: SerialArm
-    referee: str
+    reference: str
     route: str
     outcomes: tuple[Outcome, ...]
 
@@ -89,7 +89,8 @@ def validate(
     gravity: ArrayLike | None = None,
     progress: Progress | None = None,
 ) -> Validation:
-    """Check the laws on every model, with Pinocchio as referee, and account for differences.
+    """Check the laws on every model, with Pinocchio as reference engine, and account for
+    differences.
 
     Parameters
     ----------
@@ -112,34 +113,34 @@ def validate(
         if not isinstance(model, SerialArm):
             say(f"reading {getattr(model, 'name', model)}")
         arms.append(under_gravity(load(model), gravity))
-    referees = [PinocchioEngine(arm) for arm in arms]
+    references = [PinocchioEngine(arm) for arm in arms]
     validated = []
-    for arm, referee in zip(arms, referees, strict=True):
+    for arm, reference in zip(arms, references, strict=True):
         say(f"checking {arm.name} at {samples:,} states")
         states = random_states(arm.n, samples, seed)
-        validated.append(validate_arm(arm, referee, states))
+        validated.append(validate_arm(arm, reference, states))
     pairs = []
-    for arm, referee in zip(arms[1:], referees[1:], strict=True):
+    for arm, reference in zip(arms[1:], references[1:], strict=True):
         say(f"comparing {arms[0].name} with {arm.name}")
-        pairs.append(_validate_pair(arms[0], arm, referee, samples, seed))
+        pairs.append(_validate_pair(arms[0], arm, reference, samples, seed))
     return Validation(tuple(validated), tuple(pairs), samples, seed)
 
 
-def validate_arm(arm: SerialArm, referee: Referee, states: States) -> ModelValidation:
+def validate_arm(arm: SerialArm, reference: ReferenceEngine, states: States) -> ModelValidation:
     """Every law, and every body, of one arm."""
-    subject = Subject(arm, OwnEngine(arm), referee, states, arm.gravity)
+    subject = Subject(arm, RecursionEngine(arm), reference, states, arm.gravity)
     outcomes = tuple(
         run(check, subject, name=arm.name, n=arm.n, states=states) for check in (*LAWS, *BODIES)
     )
-    return ModelValidation(arm, f"{referee.name} {referee.version}", referee.route, outcomes)
+    return ModelValidation(arm, f"{reference.name} {reference.version}", reference.route, outcomes)
 
 
 def _validate_pair(
-    a: SerialArm, b: SerialArm, referee: Referee, samples: int, seed: int
+    a: SerialArm, b: SerialArm, reference: ReferenceEngine, samples: int, seed: int
 ) -> PairValidation:
     states = random_states(a.n, samples, seed)
     difference = compare(a, b, states, seed)
-    subject = PairSubject(difference, OwnEngine(a), referee)
+    subject = PairSubject(difference, RecursionEngine(a), reference)
     name = f"{a.name} against {b.name}"
     outcomes = tuple(run(check, subject, name=name, n=a.n, states=states) for check in PAIRS)
     return PairValidation(difference, outcomes)

@@ -15,9 +15,9 @@ from ur5check import strategies
 from ur5check._comparison.arm_pair import pair_up
 from ur5check._comparison.diagnosis.cylinder_fit import Cylinder, fit_cylinder
 from ur5check._comparison.diagnosis.dh_convention import read_by_the_other_rule
-from ur5check._comparison.diagnosis.link_numbers import Scene, body_of, with_body
-from ur5check._comparison.diagnosis.mistakes import CATALOGUE
-from ur5check._reports import explanation_summary as story
+from ur5check._comparison.diagnosis.link_numbers import LinkPair, body_of, with_body
+from ur5check._comparison.diagnosis.mistakes import MISTAKES
+from ur5check._reports import explanation_summary as summary
 from ur5check._robot.states import random_states
 
 
@@ -34,7 +34,7 @@ def test_a_body_is_what_its_file_says(name):
     expected = {"paper": [0.2125, 0, 0.11336], "appendix": [0, 0, 0.28]}[name]
     np.testing.assert_allclose(body.com, expected, atol=1e-15)
     lengths = {"paper": [-0.425, 0, 0], "appendix": [0, -0.1197, 0.425]}[name]
-    np.testing.assert_allclose(body.reach, lengths, atol=1e-15)
+    np.testing.assert_allclose(body.link_vector, lengths, atol=1e-15)
 
 
 @pytest.mark.parametrize("name", ["paper", "appendix"])
@@ -42,14 +42,14 @@ def test_a_longer_link_keeps_its_other_numbers(name):
     arm = ur5check.load(name)
     body = body_of(arm, 1)
     changed = body_of(with_body(arm, 1, replace(body, offset=2.0 * body.offset)), 1)
-    np.testing.assert_allclose(changed.reach, 2.0 * body.reach, atol=1e-15)
+    np.testing.assert_allclose(changed.link_vector, 2.0 * body.link_vector, atol=1e-15)
     np.testing.assert_allclose(changed.com, body.com, atol=1e-15)
     np.testing.assert_allclose(changed.tensor, body.tensor, atol=1e-15)
 
 
 def test_both_sides_of_a_scene_speak_of_the_same_body():
     pair = pair_up(ur5check.load("paper"), ur5check.load("appendix"))
-    in_b, in_a = Scene.of(pair, "b"), Scene.of(pair, "a")
+    in_b, in_a = LinkPair.of(pair, "b"), LinkPair.of(pair, "a")
     for k in range(6):
         # what a says, seen by b, and what b says, seen by a: same masses, same distances apart
         assert in_b.truth[k].mass == in_a.bodies[k].mass
@@ -95,11 +95,11 @@ def test_a_urdf_is_no_dh_table():
 
 
 def test_ids_are_unique():
-    assert len({mistake.id for mistake in CATALOGUE}) == len(CATALOGUE)
+    assert len({mistake.id for mistake in MISTAKES}) == len(MISTAKES)
 
 
 def told(a, b):
-    return story.tell(ur5check.explain(ur5check.diff(a, b, samples=300)))
+    return summary.summarize(ur5check.explain(ur5check.diff(a, b, samples=300)))
 
 
 def test_the_story_of_the_listing():

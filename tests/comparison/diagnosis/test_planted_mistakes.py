@@ -41,15 +41,15 @@ def steiner(inertia):
     return inertia.mass * (c @ c * np.eye(3) - np.outer(c, c))
 
 
-def reach(link):
-    return link.source_frame.R.T @ link.far_end.R.T @ link.far_end.p
+def link_vector(link):
+    return link.source_frame.R.T @ link.link_tip_frame.R.T @ link.link_tip_frame.p
 
 
 def wrong_inertia(arm, i):
     """(id, arm) of mistakes in the inertia of one link."""
     link = arm.links[i - 1]
     own = in_source(link)
-    R = link.far_end.R
+    R = link.link_tip_frame.R
     cyclic = np.eye(3)[[1, 2, 0]]
     yield "mass-scaled", planted(arm, i, mass=own.mass * 1000)
     yield (
@@ -62,7 +62,7 @@ def wrong_inertia(arm, i):
     yield "tensor-scaled", planted(arm, i, tensor=own.tensor * 10)
     yield "tensor-axes", planted(arm, i, tensor=cyclic @ own.tensor @ cyclic.T)
     if arm is CHAIN:
-        yield "centre-other-end", planted(arm, i, com=own.com - reach(link))
+        yield "centre-other-end", planted(arm, i, com=own.com - link_vector(link))
         yield "centre-other-frame", planted(arm, i, com=R @ own.com)
         yield "tensor-not-rotated", planted(arm, i, tensor=R @ own.tensor @ R.T)
         flipped = own.tensor * (2 * np.eye(3) - 1)
@@ -83,7 +83,7 @@ def test_a_wrong_inertia_is_named(arm, identity, changed):
     assert identity == first.id or identity in first.equals
     assert first.links in ((2,), (3,))
     assert found.after <= 1e-4 * found.before
-    assert ur5check.diff(arm, found.mended_b, samples=50).agrees
+    assert ur5check.diff(arm, found.repaired_b, samples=50).agrees
 
 
 @pytest.mark.parametrize(("one", "other"), [(2, 3), (1, 5)])
@@ -115,7 +115,7 @@ def test_several_mistakes_at_once_are_all_named():
     found = first_answer(UR5, wrong)
     assert {f.id for f in found.findings} == {"centre-sign", "tensor-scaled", "mass-scaled"}
     assert not found.unexplained
-    assert ur5check.diff(UR5, found.mended_b, samples=50).agrees
+    assert ur5check.diff(UR5, found.repaired_b, samples=50).agrees
 
 
 def test_a_fixed_childs_inertial_dropped_and_counted_twice():
@@ -136,13 +136,13 @@ def test_a_fixed_childs_inertial_dropped_and_counted_twice():
     assert [f.id for f in counted.findings] == ["body-twice"]
 
 
-def longer(arm, i, far_end):
+def longer(arm, i, link_tip_frame):
     links = list(arm.links)
     old = links[i - 1]
-    near = np.abs((old.far_end @ old.source_frame).matrix() - np.eye(4)).max() < 1e-9
+    near = np.abs((old.link_tip_frame @ old.source_frame).matrix() - np.eye(4)).max() < 1e-9
     inertia = in_source(old)
-    frame = far_end.inverse() if near else old.source_frame
-    links[i - 1] = Link(old.name, far_end, inertia.expressed_in(frame), frame)
+    frame = link_tip_frame.inverse() if near else old.source_frame
+    links[i - 1] = Link(old.name, link_tip_frame, inertia.expressed_in(frame), frame)
     return replace(arm, links=tuple(links))
 
 
@@ -167,7 +167,7 @@ GEOMETRY = {
 )
 def test_a_wrong_geometry_is_named(arm, i, identity):
     wrong = GEOMETRY[identity]
-    P = arm.links[i - 1].far_end
+    P = arm.links[i - 1].link_tip_frame
     found = first_answer(arm, longer(arm, i, wrong(P)))
     named = {f.id for f in found.findings} | {e for f in found.findings for e in f.equals}
     assert identity in named, [f.sentence for f in found.findings]
@@ -207,8 +207,8 @@ def test_gravity(gravity, identity):
 def test_a_joint_reversed_and_a_zero_shifted():
     joints, links = list(UR5.joints), list(UR5.links)
     joints[3] = Joint(joints[3].name, -joints[3].axis)
-    turn = UR5.joints[1].motion(0.3)
-    links[1] = replace(links[1], far_end=turn @ links[1].far_end)
+    rotation = UR5.joints[1].motion(0.3)
+    links[1] = replace(links[1], link_tip_frame=rotation @ links[1].link_tip_frame)
     found = first_answer(UR5, replace(UR5, joints=tuple(joints), links=tuple(links)))
     by_id = {f.id: f.sentence for f in found.findings}
     assert "Joint 4" in by_id["joint-reversed"]
@@ -222,7 +222,7 @@ def test_motor_inertia_in_one_only():
     assert [f.id for f in found.findings] == ["motor-inertia"]
     assert "joint 2 and 4 is in chain_5 only" in found.findings[0].sentence
     assert found.after <= 1e-12 * found.before
-    assert ur5check.diff(CHAIN, found.mended_b, samples=50).agrees
+    assert ur5check.diff(CHAIN, found.repaired_b, samples=50).agrees
 
 
 def measured_again(arm, rng, level):

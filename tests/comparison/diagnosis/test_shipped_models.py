@@ -63,7 +63,7 @@ def test_the_listing_has_its_own_gravity(listing):
 def test_nothing_of_the_listing_is_left(listing):
     assert not listing.unexplained
     assert listing.after < 1e-12
-    assert ur5check.diff(listing.mended_a, "paper", samples=50, gravity=(0, 0, -9.81)).agrees
+    assert ur5check.diff(listing.repaired_a, "paper", samples=50, gravity=(0, 0, -9.81)).agrees
 
 
 def test_the_papers_tensors_are_unrotated_and_square_three_r(tables):

@@ -111,8 +111,8 @@ def test_rank_does_not_depend_on_the_seed(arm):
 def tilted(angle):
     """The planar arm with its second axis tilted by `angle` [rad]."""
     arm = planar("standard")
-    bent = Transform.rotation((1, 0, 0), angle) @ arm.links[0].far_end
-    return replace(arm, links=(replace(arm.links[0], far_end=bent), arm.links[1]))
+    bent = Transform.rotation((1, 0, 0), angle) @ arm.links[0].link_tip_frame
+    return replace(arm, links=(replace(arm.links[0], link_tip_frame=bent), arm.links[1]))
 
 
 @pytest.mark.parametrize("tilt", [1e-5, 1e-6])

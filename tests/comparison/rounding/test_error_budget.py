@@ -33,8 +33,10 @@ def exact_items(found):
 def with_quarter_turn(angle):
     """The paper's arm with α of link 4 written as `angle`."""
     link = PAPER.links[3]
-    turned = Transform(Transform.rotation((1, 0, 0), angle).R, link.far_end.p)
-    return replace(PAPER, links=(*PAPER.links[:3], replace(link, far_end=turned), *PAPER.links[4:]))
+    turned = Transform(Transform.rotation((1, 0, 0), angle).R, link.link_tip_frame.p)
+    return replace(
+        PAPER, links=(*PAPER.links[:3], replace(link, link_tip_frame=turned), *PAPER.links[4:])
+    )
 
 
 @pytest.mark.parametrize("angle", [1.57, 1.5707, 1.5708, 1.570796, 1.570796327, 1.570796326795])
@@ -78,7 +80,9 @@ def test_links_of_a_urdf_stay_where_they_are_when_an_angle_is_put_right():
 def test_the_listing_keeps_its_r_when_its_angle_is_put_right():
     arm = ur5check.load("paper-listing")
     link = with_exact_angles(arm, rounded_angles(arm)).links[0]
-    np.testing.assert_allclose(link.far_end.R.T @ link.far_end.p, [0, 0.089159, 0], atol=1e-16)
+    np.testing.assert_allclose(
+        link.link_tip_frame.R.T @ link.link_tip_frame.p, [0, 0.089159, 0], atol=1e-16
+    )
 
 
 def cylinder_arm(twelfth, *, radius=0.06, length=0.4):

@@ -49,9 +49,9 @@ def test_the_slope_of_a_difference_is_pinocchios(in_64_bits):
     state = tuple(array[0, :2] for array in GIVEN)
     delta = jax_torque_difference(*arms)
     size = jax.jit(jax.grad(lambda q, qd, qdd: (delta(q, qd, qdd) ** 2).sum()))
-    referees = [PinocchioEngine(arm) for arm in arms]
-    tau = [referee.inverse_dynamics(*state) for referee in referees]
-    slope = [referee.inverse_dynamics_gradient(*state)[0] for referee in referees]
+    references = [PinocchioEngine(arm) for arm in arms]
+    tau = [reference.inverse_dynamics(*state) for reference in references]
+    slope = [reference.inverse_dynamics_gradient(*state)[0] for reference in references]
     wanted = 2.0 * (tau[0] - tau[1]) @ (slope[0] - slope[1])
     assert np.abs(np.asarray(size(*state)) - wanted).max() <= 1e-9
     assert np.abs(wanted).max() > 0.1

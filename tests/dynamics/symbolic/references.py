@@ -28,7 +28,7 @@ PINOCCHIO = {
 }
 
 
-def referee(quantity):
+def reference(quantity):
     """The quantity as Pinocchio has it, asked like the recursion: arm first."""
     return lambda arm, *at: PINOCCHIO[quantity](PinocchioEngine(arm), *at)
 

@@ -14,9 +14,9 @@ from examples import random_arm
 from ur5check import strategies
 from ur5check._benchmarking.growth import chain
 from ur5check._dynamics.symbolic import parameter_regrouping as regroup
-from ur5check._dynamics.symbolic import target_values as wishes
+from ur5check._dynamics.symbolic import target_values as target_values
 from ur5check._dynamics.symbolic.parameter_regrouping import regroupings, slid
-from ur5check._dynamics.symbolic.target_values import Unseen, Wish
+from ur5check._dynamics.symbolic.target_values import TargetValue, Unseen
 from ur5check._dynamics.symbolic.trace import trace
 from ur5check._robot import Transform
 
@@ -38,14 +38,16 @@ def largest_change(arm, pi):
 def test_torques_stay_and_wishes_are_granted(name):
     arm = arm_of(name)
     unseen = Unseen(arm)
-    wishes = [Wish(i, *names) for i in range(6) for names in (("m",), ("Iyy", "Izz"), ("mz",))]
-    pi = unseen.parameters(wishes)
+    target_values = [
+        TargetValue(i, *names) for i in range(6) for names in (("m",), ("Iyy", "Izz"), ("mz",))
+    ]
+    pi = unseen.parameters(target_values)
     assert largest_change(arm, pi) < 1e-13
-    granted = unseen.granted(wishes)
-    assert granted
-    for wish in granted:
-        values = pi[list(wish.places)]
-        assert values[0] == (values[1] if wish.equal_to else 0.0)
+    feasible = unseen.feasible(target_values)
+    assert feasible
+    for target_value in feasible:
+        values = pi[list(target_value.places)]
+        assert values[0] == (values[1] if target_value.equal_to else 0.0)
 
 
 WISHES = [("m",), ("mx",), ("my",), ("mz",), ("Ixx",), ("Iyy",), ("Iyy", "Izz"), ("Ixy",)]
@@ -55,8 +57,8 @@ WISHES = [("m",), ("mx",), ("my",), ("mz",), ("Ixx",), ("Iyy",), ("Iyy", "Izz"),
 @given(arm_and_states=strategies.arms_and_states())
 def test_torques_stay_whatever_the_arm(arm_and_states):
     arm, _ = arm_and_states
-    wishes = [Wish(i, *names) for i in range(arm.n) for names in WISHES]
-    pi = Unseen(arm).parameters(wishes)
+    target_values = [TargetValue(i, *names) for i in range(arm.n) for names in WISHES]
+    pi = Unseen(arm).parameters(target_values)
     np.testing.assert_allclose(
         *(np.linalg.norm(Unseen(arm).triangle @ p) for p in (pi, arm.parameters())), rtol=1e-12
     )
@@ -74,10 +76,12 @@ def test_wishes_that_all_but_depend_on_each_other_do_not_add_up(n):
 
 
 def test_a_regrouping_that_changes_torques_is_refused(monkeypatch):
-    monkeypatch.setattr(wishes, "_AMPLIFIED", 1e20)
-    monkeypatch.setattr(regroup, "_LOUDER", 1e20)
+    monkeypatch.setattr(target_values, "_AMPLIFIED", 1e20)
+    monkeypatch.setattr(regroup, "_CANCELLATION", 1e20)
     arm = slid(chain(9, seed=0))
-    every = [Wish(link, *names) for link in reversed(range(9)) for names in regroup._WISHES]
+    every = [
+        TargetValue(link, *names) for link in reversed(range(9)) for names in regroup._TARGET_VALUES
+    ]
     assert largest_change(arm, Unseen(arm).parameters(every)) > 1e-6
     prices = iter((2, 1))  # the arm's own chain, and one that would be cheaper
     assert len(regroupings(arm, lambda chain: next(prices), tries=0)) == 1
@@ -85,10 +89,14 @@ def test_a_regrouping_that_changes_torques_is_refused(monkeypatch):
 
 def test_as_many_numbers_go_as_no_torque_sees():
     unseen = Unseen(ur5check.load("paper"))
-    every = [Wish(i, name) for i in range(6) for name in ("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")]
-    every += [Wish(i, name) for i in range(6) for name in ("mx", "my", "mz", "m")]
+    every = [
+        TargetValue(i, name)
+        for i in range(6)
+        for name in ("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz")
+    ]
+    every += [TargetValue(i, name) for i in range(6) for name in ("mx", "my", "mz", "m")]
     assert unseen.null_space.shape == (60, 24)
-    assert len(unseen.granted(every)) == 24
+    assert len(unseen.feasible(every)) == 24
 
 
 def test_a_number_that_torque_sees_may_not_go():
@@ -103,7 +111,10 @@ def test_sliding_origins_moves_no_axis(name):
     arm = arm_of(name)
     other = slid(arm)
     at = states(arm, 20)
-    for of in (lambda a: ur5check.rnea(a, at.q, at.qd, at.qdd), lambda a: a.links[-1].far_end.R):
+    for of in (
+        lambda a: ur5check.rnea(a, at.q, at.qd, at.qdd),
+        lambda a: a.links[-1].link_tip_frame.R,
+    ):
         np.testing.assert_allclose(of(other), of(arm), rtol=1e-11, atol=1e-11)
     np.testing.assert_allclose(
         ur5check.forward_kinematics(other, at.q), ur5check.forward_kinematics(arm, at.q), atol=1e-13
@@ -112,8 +123,8 @@ def test_sliding_origins_moves_no_axis(name):
 
 def test_no_origin_goes_a_mile_along_axes_that_are_all_but_parallel():
     arm = random_arm(5, seed=2)
-    feet = [link.far_end.p for link in slid(arm).links]
-    reach = sum(np.linalg.norm(link.far_end.p) for link in arm.links)
+    feet = [link.link_tip_frame.p for link in slid(arm).links]
+    reach = sum(np.linalg.norm(link.link_tip_frame.p) for link in arm.links)
     assert max(np.linalg.norm(foot) for foot in feet) < reach
     at = states(arm, 40)
     tau = ur5check.rnea(arm, at.q, at.qd, at.qdd)
@@ -124,16 +135,18 @@ def test_no_origin_goes_a_mile_along_axes_that_are_all_but_parallel():
 def test_offsets_that_cancel_are_gone():
     """The appendix goes out by 0.13585 m and back by 0.1197 m along one axis direction."""
     arm = slid(ur5check.load("appendix"))
-    reaches = np.array([link.far_end.R.T @ link.far_end.p for link in arm.links])
+    reaches = np.array([link.link_tip_frame.R.T @ link.link_tip_frame.p for link in arm.links])
     assert (np.abs(reaches) > 1e-12).sum(axis=1).max() == 1
     # And not by chance: an origin that was pushed along its axis comes back.
     links = list(arm.links)
     push = Transform.translation(arm.joints[3].axis * 0.3)
     links[2] = replace(
         links[2],
-        far_end=links[2].far_end @ push,
+        link_tip_frame=links[2].link_tip_frame @ push,
         inertia=links[2].inertia.expressed_in(push.inverse()),
     )
-    links[3] = replace(links[3], far_end=push.inverse() @ links[3].far_end)
+    links[3] = replace(links[3], link_tip_frame=push.inverse() @ links[3].link_tip_frame)
     back = slid(replace(arm, links=tuple(links)))
-    np.testing.assert_allclose(back.links[2].far_end.p, arm.links[2].far_end.p, atol=1e-12)
+    np.testing.assert_allclose(
+        back.links[2].link_tip_frame.p, arm.links[2].link_tip_frame.p, atol=1e-12
+    )

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from references import RECURSION, arguments, distance, referee, states
+from references import RECURSION, arguments, distance, reference, states
 
 import ur5check
 from examples import random_arm
@@ -65,7 +65,7 @@ def test_closed_form_with_symbols_is_the_recursion(model, quantity):
 @pytest.mark.parametrize(("model", "quantity"), CASES)
 def test_closed_form_is_pinocchios(model, quantity):
     arm, program = arm_of(model), program_of(model, quantity)
-    assert distance(program, arm, referee(quantity)) < tolerance(model, arm, quantity)
+    assert distance(program, arm, reference(quantity)) < tolerance(model, arm, quantity)
 
 
 @pytest.mark.parametrize("quantity", ["tau", "M", "C", "g"])
@@ -77,7 +77,7 @@ def test_a_lost_sign_is_refused(quantity):
 
 
 def _sign_lost(program, place):
-    """The paper's own slip, in one line."""
+    """The paper's own mistake, in one line."""
     line = program.assignments[place]
     terms = (replace(line.terms[0], k=-line.terms[0].k), *line.terms[1:])
     lines = list(program.assignments)
@@ -142,19 +142,21 @@ def test_arms_that_move_alike_need_one_torque(name, way):
     found = program.evaluate(at.q, at.qd, at.qdd)
     np.testing.assert_allclose(found, tau[0] - tau[1], atol=1e-12 * np.abs(tau).max())
     # Where the last digit of one length differs, they do not move alike, and two are needed.
-    moved = replace(b.links[1].far_end, p=np.nextafter(b.links[1].far_end.p, np.inf))
-    links = [replace(link, far_end=moved) if i == 1 else link for i, link in enumerate(b.links)]
+    moved = replace(b.links[1].link_tip_frame, p=np.nextafter(b.links[1].link_tip_frame.p, np.inf))
+    links = [
+        replace(link, link_tip_frame=moved) if i == 1 else link for i, link in enumerate(b.links)
+    ]
     apart = trace_difference(a, replace(b, links=tuple(links)))
     assert apart.operations.total > program.operations.total
     np.testing.assert_allclose(apart.evaluate(at.q, at.qd, at.qdd), found, atol=1e-11)
 
 
-@pytest.mark.parametrize("dust", [5e-324, 1e-310, 1e-160, 1e-90])
-def test_numbers_that_are_all_but_zero_spoil_no_torque(dust):
+@pytest.mark.parametrize("zero_tolerance", [5e-324, 1e-310, 1e-160, 1e-90])
+def test_numbers_that_are_all_but_zero_spoil_no_torque(zero_tolerance):
     """Their products run out of digits, and what is left must not become a factor."""
 
     def dusty(x):
-        return np.where(np.abs(x) < 1e-12, dust, x)
+        return np.where(np.abs(x) < 1e-12, zero_tolerance, x)
 
     arm = arm_of("paper")
     bodies = [link.inertia for link in arm.links]
@@ -162,7 +164,7 @@ def test_numbers_that_are_all_but_zero_spoil_no_torque(dust):
         replace(
             link,
             inertia=Inertia(body.mass, dusty(body.com), dusty(body.tensor)),
-            far_end=replace(link.far_end, p=dusty(link.far_end.p)),
+            link_tip_frame=replace(link.link_tip_frame, p=dusty(link.link_tip_frame.p)),
         )
         for link, body in zip(arm.links, bodies, strict=True)
     ]

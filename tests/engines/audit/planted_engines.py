@@ -13,7 +13,7 @@ import numpy as np
 from ur5check._dynamics.kinematics import link_frames
 from ur5check._engines.audit.written_bodies import written_arm
 from ur5check._engines.imported_model import HeldBody
-from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._engines.recursion_engine import RecursionEngine
 from ur5check._errors import EngineError
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._robot import Inertia, Limits
@@ -32,7 +32,7 @@ def reread(arm, text):
     return read_urdf(text.encode(), file="spoiled.urdf", base=source.base, tip=source.tip)
 
 
-class Honest(OwnEngine):
+class Honest(RecursionEngine):
     """Reads and computes rightly, and keeps a body for every link."""
 
     name = "Honest"
@@ -44,9 +44,9 @@ class Honest(OwnEngine):
     def spoiled(self, arm):
         return arm
 
-    def holdings(self):
+    def imported_model(self):
         """What is held, link by link where the text still tells the links."""
-        whole = super().holdings()
+        whole = super().imported_model()
         frames = link_frames(self.arm, np.zeros(self.arm.n))
         bodies = [
             HeldBody(
@@ -61,7 +61,7 @@ class Honest(OwnEngine):
         return replace(whole, bodies=tuple(bodies))
 
 
-class Merging(OwnEngine):
+class Merging(RecursionEngine):
     """Keeps one body a joint."""
 
 
@@ -72,7 +72,7 @@ class RotationDropped(Honest):
 
 
 class RotationDroppedAndMerging(RotationDropped):
-    holdings = OwnEngine.holdings
+    imported_model = RecursionEngine.imported_model
 
 
 class DefaultMass(Honest):
@@ -84,7 +84,7 @@ class DefaultMass(Honest):
 
 
 class DefaultMassAndMerging(DefaultMass):
-    holdings = OwnEngine.holdings
+    imported_model = RecursionEngine.imported_model
 
 
 class ShapeMass(Honest):
@@ -111,7 +111,7 @@ class BodyLost(Honest):
 
 
 class BodyLostAndMerging(BodyLost):
-    holdings = OwnEngine.holdings
+    imported_model = RecursionEngine.imported_model
 
 
 class MassChanged(Honest):
@@ -144,15 +144,15 @@ class GravityOfItsOwn(Honest):
     def __init__(self, arm, gravity=None):
         super().__init__(arm, (0.0, 0.0, -9.80665))
 
-    def holdings(self):
-        return replace(super().holdings(), gravity=np.array(self.gravity))
+    def imported_model(self):
+        return replace(super().imported_model(), gravity=np.array(self.gravity))
 
 
 class GravityByDefault(Honest):
     """Would take another gravity, and takes what it is told."""
 
-    def holdings(self):
-        return replace(super().holdings(), gravity=np.array([0.0, 0.0, -9.80665]))
+    def imported_model(self):
+        return replace(super().imported_model(), gravity=np.array([0.0, 0.0, -9.80665]))
 
 
 class OrderOfItsOwn(Honest):
@@ -164,42 +164,42 @@ class OrderOfItsOwn(Honest):
         given = (np.asarray(array)[..., list(self.order)] for array in (q, qd, qdd))
         return super().inverse_dynamics(*given)[..., list(self.order)]
 
-    def holdings(self):
-        whole = super().holdings()
+    def imported_model(self):
+        whole = super().imported_model()
         return replace(whole, joints=tuple(whole.joints[k] for k in self.order))
 
 
 class LimitsLost(Honest):
-    def holdings(self):
-        whole = super().holdings()
+    def imported_model(self):
+        whole = super().imported_model()
         return replace(whole, joints=tuple(replace(j, limits=Limits()) for j in whole.joints))
 
 
 class BearingsLost(Honest):
-    def holdings(self):
-        whole = super().holdings()
+    def imported_model(self):
+        whole = super().imported_model()
         joints = tuple(replace(j, damping=0.0, friction=0.0) for j in whole.joints)
         return replace(whole, joints=joints)
 
 
 class AxisReversed(Honest):
-    def holdings(self):
-        whole = super().holdings()
+    def imported_model(self):
+        whole = super().imported_model()
         first = replace(whole.joints[0], axis=-whole.joints[0].axis)
         return replace(whole, joints=(first, *whole.joints[1:]))
 
 
 class ToolElsewhere(Honest):
-    def holdings(self):
-        whole = super().holdings()
+    def imported_model(self):
+        whole = super().imported_model()
         tool = whole.tool.copy()
         tool[2, 3] += 0.01
         return replace(whole, tool=tool)
 
 
 class TwoCoordinates(Honest):
-    def holdings(self):
-        return replace(super().holdings(), coordinates=4)
+    def imported_model(self):
+        return replace(super().imported_model(), coordinates=4)
 
 
 class Miscalculating(Honest):

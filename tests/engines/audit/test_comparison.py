@@ -10,9 +10,9 @@ import pytest
 from ur5check._dynamics.recursion import rnea
 from ur5check._engines.audit.engine_answers import ask, hold_against
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
-from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._engines.recursion_engine import RecursionEngine
 from ur5check._errors import EngineError, UsageError
-from ur5check._reports.engines_summary import tell
+from ur5check._reports.engines_summary import summarize
 from ur5check._robot.states import random_states
 
 #: Planted engines whose torques are those of another arm, and what is said of each.
@@ -41,7 +41,7 @@ def test_a_planted_fault_is_explained_and_told(name, arm, plant):
     assert not report.as_read.agrees()
     assert report.as_read.matrix.agreeing(SAME_ROBOT) == (("own", "pinocchio"), (key,))
     assert report.explained
-    verdict = tell(report)[0]
+    verdict = summarize(report)[0]
     assert f"ur5check and Pinocchio hold the same robot; {name} {SAID[name]}: " in verdict
     worst = report.as_read.matrix.between("own", key)
     assert f"{worst.torque:.4g} N m at joint {worst.joint + 1}" in verdict
@@ -52,7 +52,7 @@ def test_what_bears_on_no_torque_is_no_disagreement(name, arm, plant):
     report = compared(arm, plant(name))
     assert report.as_read.agrees()
     assert report.explained
-    assert report.mended is None
+    assert report.repaired is None
 
 
 def test_what_an_engine_does_not_hold_does_not_explain_what_it_computes(arm, plant):
@@ -61,7 +61,7 @@ def test_what_an_engine_does_not_hold_does_not_explain_what_it_computes(arm, pla
     (reading,) = report.as_read.unexplained
     assert reading.key == key
     assert not report.explained
-    assert any("Not explained: Miscalculating" in line for line in tell(report))
+    assert any("Not explained: Miscalculating" in line for line in summarize(report))
 
 
 def test_an_engine_that_breaks_down_is_infinitely_far(arm, plant):
@@ -75,7 +75,7 @@ def test_an_engine_that_refuses_is_a_finding_and_no_agreement(arm, plant):
     (reading,) = report.as_read.refusals
     assert reading.refused == "it has no taste for this file"
     assert not report.as_read.agrees()
-    assert "Refusing does not take the model" in tell(report)[0]
+    assert "Refusing does not take the model" in summarize(report)[0]
 
 
 def test_the_worst_state_is_worse_than_the_random_ones(arm, plant):
@@ -84,8 +84,8 @@ def test_the_worst_state_is_worse_than_the_random_ones(arm, plant):
     worst = report.as_read.matrix.between("own", "defaultmass")
     assert worst.state == report.samples
     q, qd, qdd = (getattr(report.states, name) for name in ("q", "qd", "qdd"))
-    believed = report.as_read.reading("defaultmass").imported.believed
-    gap = np.abs(rnea(believed, q, qd, qdd) - rnea(arm, q, qd, qdd))
+    imported_arm = report.as_read.reading("defaultmass").imported.imported_arm
+    gap = np.abs(rnea(imported_arm, q, qd, qdd) - rnea(arm, q, qd, qdd))
     assert worst.torque == pytest.approx(gap.max(), rel=1e-12)
     assert gap[-1].max() > 1.05 * gap[:-1].max()
 
@@ -101,7 +101,7 @@ def test_gravity_is_told_to_all(arm, plant):
 
 
 def test_every_answer_is_compared(arm):
-    class Off(OwnEngine):
+    class Off(RecursionEngine):
         """One answer a thousandth off."""
 
         off = ""
@@ -114,7 +114,7 @@ def test_every_answer_is_compared(arm):
 
     states = random_states(arm.n, 10, seed=2)
     tau = rnea(arm, states.q, states.qd, states.qdd)
-    ours = ask("own", OwnEngine(arm), states, tau)
+    ours = ask("own", RecursionEngine(arm), states, tau)
     for question, field in {
         "inverse_dynamics": "torque",
         "mass_matrix": "mass",

@@ -38,7 +38,7 @@ def test_those_that_agree_pass(file, capsys):
     assert engines(file, "--tip", "tool", "--with", "pinocchio", "--samples", 20) == 0
     said = capsys.readouterr().out
     assert "AGREE: ur5check and Pinocchio hold the same robot." in said
-    assert "--with pinocchio --fail-over 1e-10" in said
+    assert "--with pinocchio --tolerance 1e-10" in said
 
 
 def test_one_that_does_not_agree_fails_the_gate(file, plant, capsys):
@@ -48,19 +48,19 @@ def test_one_that_does_not_agree_fails_the_gate(file, plant, capsys):
     said = " ".join(capsys.readouterr().out.split())
     assert "DIFFER: ur5check and Pinocchio hold the same robot; DefaultMass has added 1 kg" in said
     assert "default-inertia" in said
-    assert engines(*options, "--fail-over", 1e6) == 0
+    assert engines(*options, "--tolerance", 1e6) == 0
 
 
 def test_dart_needs_its_remedy(file, capsys):
     options = (file, "--tip", "tool", "--with", "dart,pinocchio", "--samples", 20)
     assert engines(*options, "--as-read") == 1
-    assert engines(*options, "--as-read", "--fail-over", 1e6) == 0
+    assert engines(*options, "--as-read", "--tolerance", 1e6) == 0
     capsys.readouterr()
     assert engines(*options) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "AGREE ONCE MENDED: ur5check and Pinocchio hold the same robot" in said
+    assert "AGREE ONCE REPAIRED: ur5check and Pinocchio hold the same robot" in said
     assert "DART has added 2 kg" in said  # plate and tool have no <inertial>
-    assert f"`ur5check expand {file} --for dart` mends it." in said
+    assert f"`ur5check expand {file} --for dart` repairs it." in said
 
 
 def test_a_refusal_fails_the_gate(file, plant):
@@ -73,8 +73,8 @@ def test_a_refusal_fails_the_gate(file, plant):
     ("arguments", "said"),
     [
         (["appendix", "--with", "bullet"], "no engine is called 'bullet'"),
-        (["appendix", "--fail-over", "-1"], "give a torque of zero or more"),
-        (["appendix", "--fail-over", "nan"], "give a torque of zero or more"),
+        (["appendix", "--tolerance", "-1"], "give a torque of zero or more"),
+        (["appendix", "--tolerance", "nan"], "give a torque of zero or more"),
         (["appendix", "--samples", "0"], "samples must be at least 1"),
         (["appendix", "--fleet"], "--fleet takes no model"),
         (["appendix", "--list"], "--list takes no model"),
@@ -102,20 +102,20 @@ def test_json_holds_every_number(file, plant, tmp_path):
     assert report["verdict"]["explained"]
     assert not report["verdict"]["agree"]
     assert [(row["engine"], row["stage"]) for row in report["engines"]] == [
-        (engine, stage) for stage in ("as read", "mended") for engine in ("own", "dart", key)
+        (engine, stage) for stage in ("as read", "repaired") for engine in ("own", "dart", key)
     ]
     pairs = {(row["a"], row["b"], row["stage"]): row["torque"] for row in report["parity"]}
     assert len(pairs) == 6
-    assert pairs["own", "dart", "as read"] > 1.0 > 1e-10 > pairs["own", "dart", "mended"]
-    assert pairs["own", key, "mended"] == pairs["own", key, "as read"] > 1e-3
+    assert pairs["own", "dart", "as read"] > 1.0 > 1e-10 > pairs["own", "dart", "repaired"]
+    assert pairs["own", key, "repaired"] == pairs["own", key, "as read"] > 1e-3
     harmful = [row for row in report["imports"] if row["bears_on"] == "torque"]
     assert {(row["engine"], row["kind"], row["stage"]) for row in harmful} == {
         ("dart", "default-inertia", "as read"),
         (key, "rotation-dropped", "as read"),
-        (key, "rotation-dropped", "mended"),
+        (key, "rotation-dropped", "repaired"),
     }
     dart = [row for row in harmful if row["engine"] == "dart"]
-    assert {row["habit"] for row in dart} == {"dart-default-inertia"}
+    assert {row["known_issue"] for row in dart} == {"dart-default-inertia"}
     assert all(row["cost"] > 1e-3 for row in harmful)
 
 

@@ -70,7 +70,7 @@ def test_before_them_every_larger_difference_is_explained(fleet):
                 continue
             if report.as_read.matrix.between("own", reading.key).torque > SAME_ROBOT:
                 larger += 1
-                assert all(one.habit is not None for one in reading.imported.harmful)
+                assert all(one.known_issue is not None for one in reading.imported.harmful)
     assert larger >= 2
 
 
@@ -86,9 +86,9 @@ def test_darts_phantom_torque_is_found_named_and_removed(appendix):
         ("default-inertia", "link 'tool0'"),
     ]
     assert dart.added_mass == pytest.approx(2.0)
-    assert {one.habit.id for one in dart.harmful} == {"dart-default-inertia"}
+    assert {one.known_issue.id for one in dart.harmful} == {"dart-default-inertia"}
     assert appendix.as_read.matrix.between("own", "dart").torque > 10.0
-    assert appendix.mended.matrix.between("own", "dart").torque <= SAME_ROBOT
+    assert appendix.repaired.matrix.between("own", "dart").torque <= SAME_ROBOT
 
 
 def test_erd_ur5_has_the_phantom_once_its_empty_inertials_are_left_out():
@@ -102,7 +102,7 @@ def test_erd_ur5_has_the_phantom_once_its_empty_inertials_are_left_out():
     assert {one.where for one in dart.harmful} == {"link 'ee_link'", "link 'tool0'"}
     assert report.as_read.matrix.worst > 10.0
     assert report.explained
-    assert report.mended.agrees()
+    assert report.repaired.agrees()
 
 
 def test_the_page_is_current(fleet, appendix):

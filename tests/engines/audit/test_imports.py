@@ -65,7 +65,7 @@ def faults(imported):
 @pytest.mark.parametrize("name", FAULTS)
 def test_a_planted_fault_is_named(name, arm):
     engine = getattr(planted_engines, name)(arm)
-    found = faults(audit(engine.holdings(), arm))
+    found = faults(audit(engine.imported_model(), arm))
     assert sorted((one.kind, one.where) for one in found) == sorted(FAULTS[name])
     assert {one.kind for one in found if one.harmful} == {
         kind for kind, _ in FAULTS[name] if kind in BEARS_ON_TORQUE
@@ -74,7 +74,7 @@ def test_a_planted_fault_is_named(name, arm):
 
 @pytest.mark.parametrize("engine", [Honest, Merging, PinocchioEngine])
 def test_an_honest_reading_has_no_fault(engine, arm):
-    imported = audit(engine(arm).holdings(), arm)
+    imported = audit(engine(arm).imported_model(), arm)
     assert {one.kind for one in faults(imported)} <= {"coordinates"}
     assert imported.harmful == ()
 
@@ -82,7 +82,7 @@ def test_an_honest_reading_has_no_fault(engine, arm):
 @pytest.mark.parametrize("name", ["appendix", "erd-ur5", "paper"])
 def test_pinocchio_reads_a_ur5_rightly(name):
     arm = ur5check.load(name)
-    assert faults(audit(PinocchioEngine(arm).holdings(), arm)) == []
+    assert faults(audit(PinocchioEngine(arm).imported_model(), arm)) == []
 
 
 @pytest.mark.parametrize(
@@ -91,11 +91,11 @@ def test_pinocchio_reads_a_ur5_rightly(name):
 def test_each_faults_newton_metres_add_up_to_the_whole(name, arm):
     engine = getattr(planted_engines, name)(arm)
     states = random_states(arm.n, 50, seed=1)
-    imported = priced(audit(engine.holdings(), arm), states)
+    imported = priced(audit(engine.imported_model(), arm), states)
     state = (states.q, states.qd, states.qdd)
     whole = engine.inverse_dynamics(*state) - rnea(arm, *state)
-    believed = rnea(imported.believed, *state) - rnea(arm, *state)
-    np.testing.assert_allclose(believed, whole, atol=1e-12)
+    imported_arm = rnea(imported.imported_arm, *state) - rnea(arm, *state)
+    np.testing.assert_allclose(imported_arm, whole, atol=1e-12)
     costs = [one.cost for one in imported.harmful]
     assert all(cost > 1e-6 for cost in costs)
     # No |Δτ| is larger than what the faults make one by one, and one alone makes all of it.
@@ -110,13 +110,13 @@ def test_a_fault_below_rounding_is_none_and_one_above_is(arm):
         first = inertias[0]
         scaled = type(first)(first.mass * factor, first.com, first.tensor)
         engine = Merging(arm.with_inertias([scaled, *inertias[1:]]))
-        assert [one.kind for one in faults(audit(engine.holdings(), arm))] == expected
+        assert [one.kind for one in faults(audit(engine.imported_model(), arm))] == expected
 
 
 def test_two_faults_in_one_arm_are_told_apart(arm):
     text = planted_engines.DefaultMass(arm).arm.source.urdf
     both = planted_engines.reread(arm, text.replace('<mass value="2.5"/>', '<mass value="2.6"/>'))
-    found = faults(audit(Merging(both).holdings(), arm))
+    found = faults(audit(Merging(both).imported_model(), arm))
     assert {(one.kind, one.where) for one in found} == {
         ("default-inertia", "link 'tool'"),
         ("mass-changed", "link 'upper'"),
@@ -128,7 +128,7 @@ def test_two_faults_of_one_merged_body_are_told_apart(arm):
     both = planted_engines.reread(
         arm, text.replace('<link name="tool"/>', f'<link name="tool">{planted_engines.UNIT}</link>')
     )
-    found = faults(audit(Merging(both).holdings(), arm))
+    found = faults(audit(Merging(both).imported_model(), arm))
     assert {(one.kind, one.where) for one in found if one.joint == 2} == {
         ("default-inertia", "link 'tool'"),
         ("rotation-dropped", "link 'weight'"),
@@ -138,7 +138,7 @@ def test_two_faults_of_one_merged_body_are_told_apart(arm):
 def test_default_gravity_costs_what_it_costs(arm):
     states = random_states(arm.n, 50, seed=1)
     engine = planted_engines.GravityByDefault(arm)
-    (gravity,) = faults(priced(audit(engine.holdings(), arm), states))
+    (gravity,) = faults(priced(audit(engine.imported_model(), arm), states))
     expected = np.abs(
         rnea(arm, states.q, states.qd, states.qdd, (0, 0, -9.80665))
         - rnea(arm, states.q, states.qd, states.qdd)
@@ -153,5 +153,5 @@ def test_a_rotation_that_turns_nothing_is_not_blamed(arm):
         'ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"',
     )
     same = planted_engines.reread(arm, round_upper)
-    found = faults(audit(planted_engines.RotationDropped(same).holdings(), same))
+    found = faults(audit(planted_engines.RotationDropped(same).imported_model(), same))
     assert {one.where for one in found} == {"link 'lower'", "link 'weight'"}

@@ -1,4 +1,6 @@
-"""What real engines really do to a small arm with empty frames: found, named, explained, mended."""
+"""What real engines really do to a small arm with empty frames: found, named, explained,
+repaired.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +10,9 @@ from three_joints import ARM
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
 from ur5check._io.urdf.urdf_reader import read_urdf
 
-#: Per engine: what it is found to do that bears on torque (kind, place, kilograms), and its habit.
-HABITS = {
+#: Per engine: what it is found to do that bears on torque (kind, place, kilograms), and its known
+#: issue.
+KNOWN_ISSUES = {
     "pinocchio": ([], None),
     "mujoco": ([("shape-mass", "link 'plate'", 6.0)], "mujoco-mass-from-shape"),
     "drake": ([], None),
@@ -26,21 +29,21 @@ def report(arm):
     return compare_engines(arm, samples=20)
 
 
-@pytest.mark.parametrize("key", HABITS)
+@pytest.mark.parametrize("key", KNOWN_ISSUES)
 def test_a_habit_is_found_named_and_explained(key, report):
-    faults, habit = HABITS[key]
+    faults, known_issue = KNOWN_ISSUES[key]
     reading = report.as_read.reading(key)
     found = reading.imported.harmful
     assert sorted((one.kind, one.where, round(one.mass, 9)) for one in found) == faults
-    assert {one.habit.id for one in found} == ({habit} if habit else set())
+    assert {one.known_issue.id for one in found} == ({known_issue} if known_issue else set())
     assert reading.belief.explained
     torque = report.as_read.matrix.between("own", key).torque
     assert (torque > SAME_ROBOT) == bool(faults)
 
 
 def test_with_the_remedies_all_agree(report):
-    assert report.mended.agrees()
-    assert all(reading.imported.harmful == () for reading in report.mended.readings)
+    assert report.repaired.agrees()
+    assert all(reading.imported.harmful == () for reading in report.repaired.readings)
 
 
 def test_drake_replaces_a_tensor_that_misses_by_its_last_digit():
@@ -50,7 +53,7 @@ def test_drake_replaces_a_tensor_that_misses_by_its_last_digit():
     report = compare_engines(thin, engines=["drake", "mujoco"], samples=20)
     (changed,) = report.as_read.reading("drake").imported.harmful
     assert (changed.kind, changed.where) == ("tensor-changed", "link 'hand'")
-    assert changed.habit.id == "drake-impossible-tensor"
+    assert changed.known_issue.id == "drake-impossible-tensor"
     assert changed.cost > 0.01
     assert report.explained
     # MuJoCo says what is wrong and takes nothing; no rewriting of ours invents a tensor.

@@ -187,38 +187,38 @@ def test_the_programs_print_the_torque_that_ur5check_computes(on_disk, appendix)
     assert refused.returncode == 1 and refused.stderr.startswith("ur5check: ")
 
 
-def test_worlds_pull_with_the_models_own_gravity(handed_over):
+def test_worlds_pull_with_the_models_own_gravity(packages_of):
     """Gazebo's empty world has 9.8; the listing computes with 9.806."""
-    files = handed_over("paper-listing").files
+    files = packages_of("paper-listing").files
     for world in ("ros1/paper_listing_gazebo/worlds/empty.world",
                   "ros2/paper_listing_gazebo/worlds/empty.sdf"):  # fmt: skip
         assert etree.fromstring(files[world]).xpath("//gravity/text()") == ["0.0 0.0 -9.806"]
 
 
 @pytest.mark.parametrize("name", ["paper", "paper-listing"])
-def test_a_dh_table_is_handed_over_as_a_urdf(handed_over, name):
+def test_a_dh_table_is_handed_over_as_a_urdf(packages_of, name):
     arm, pose = ur5check.load(name), CASE_9
-    handover = handed_over(name, pose, ros=("2",))
+    packages = packages_of(name, pose, ros=("2",))
     expected = ur5check.gravity_torque(arm, pose)
-    np.testing.assert_allclose(handover.tau, expected, atol=1e-12 * np.abs(expected).max())
-    assert not any("meshes" in path for path in handover.files)
+    np.testing.assert_allclose(packages.tau, expected, atol=1e-12 * np.abs(expected).max())
+    assert not any("meshes" in path for path in packages.files)
 
 
 @pytest.mark.parametrize("n", [1, 4])
-def test_any_arm_has_a_controller_a_joint(handed_over, n):
+def test_any_arm_has_a_controller_a_joint(packages_of, n):
     arm = random_arm(n, seed=n)
-    files = handed_over(arm, [0.1] * n).files
+    files = packages_of(arm, [0.1] * n).files
     text = files[f"ros1/chain_{n}_gazebo/config/controllers.yaml"].decode()
     assert [c["joint"] for k, c in yaml.safe_load(text)["ur"].items() if "effort" in k] == list(
         arm.joint_names
     )
 
 
-def test_odd_names_do_no_harm(handed_over):
+def test_odd_names_do_no_harm(packages_of):
     body = Inertia.from_entries(1.0, (0, 0, 0.1), ixx=0.1, iyy=0.1, izz=0.1)
     joint = Joint("a<b> & 'c': \"d\"", np.array([0.0, 0.0, 1.0]))
     arm = SerialArm("7 Of<9>", (joint,), (Link("l", Transform.identity(), body),))
-    files = handed_over(arm, [0.5]).files
+    files = packages_of(arm, [0.5]).files
     for path, content in files.items():
         if path.endswith((".xml", ".urdf", ".xacro", ".sdf", ".world", ".launch")):
             etree.fromstring(content)
@@ -236,18 +236,18 @@ def limited_joint(lower: float, upper: float) -> SerialArm:
     ("asked", "start"),
     [(3.5, 3.5 - math.tau), (-3.5, math.tau - 3.5), (3.0, 3.0), (13.0, 13.0 - 2 * math.tau)],
 )
-def test_a_start_that_the_limited_model_cannot_hold_is_taken_a_turn_away(handed_over, asked, start):
+def test_a_start_that_the_limited_model_cannot_hold_is_taken_a_turn_away(packages_of, asked, start):
     arm = limited_joint(-math.tau, math.tau)
-    handover = handed_over(arm, [asked], ros=("2",))
-    assert handover.start == (start,)
-    assert any("whole turns" in note for note in handover.notes) == (asked != start)
-    np.testing.assert_allclose(handover.tau, ur5check.gravity_torque(arm, [asked]), atol=1e-14)
+    packages = packages_of(arm, [asked], ros=("2",))
+    assert packages.start == (start,)
+    assert any("whole turns" in note for note in packages.notes) == (asked != start)
+    np.testing.assert_allclose(packages.tau, ur5check.gravity_torque(arm, [asked]), atol=1e-14)
 
 
 @pytest.mark.parametrize("pose", [[2.0], [math.nan], [0.1, 0.2], []])
-def test_a_start_that_cannot_be_is_refused(handed_over, pose):
+def test_a_start_that_cannot_be_is_refused(packages_of, pose):
     with pytest.raises(UsageError, match="--pose"):
-        handed_over(limited_joint(-1.0, 1.0), pose)
+        packages_of(limited_joint(-1.0, 1.0), pose)
 
 
 def test_a_blank_that_nobody_fills_is_no_file():

@@ -118,7 +118,7 @@ def test_axes_parallel_but_for_a_rounded_angle_are_refused():
     arm = arm.with_inertias([replace(x.inertia, tensor=0.01 * np.eye(3)) for x in arm.links])
     assert torques_agree(arm, read_dh(dh_toml_of(arm).encode(), file="written.toml"))
     tilt = Transform.from_rpy((0.4, 0.0, 0.0), (0.0, 0.0, 1e-6))
-    tilted = replace(arm, links=(replace(arm.links[0], far_end=tilt), *arm.links[1:]))
+    tilted = replace(arm, links=(replace(arm.links[0], link_tip_frame=tilt), *arm.links[1:]))
     with pytest.raises(UsageError, match="'joint_0' and 'joint_1' are all but parallel"):
         dh_toml_of(tilted)
 
@@ -127,7 +127,7 @@ def test_a_tip_that_is_all_but_parallel_is_left_to_the_tool():
     arm = planar_arm((0.4, 0.3), (1.0, 1.0))
     arm = arm.with_inertias([replace(x.inertia, tensor=0.01 * np.eye(3)) for x in arm.links])
     askew = Transform.from_rpy((0.3, 0.0, 0.0), (np.pi / 2 + 1e-6, 1e-6, 0.0))
-    arm = replace(arm, links=(arm.links[0], replace(arm.links[1], far_end=askew)))
+    arm = replace(arm, links=(arm.links[0], replace(arm.links[1], link_tip_frame=askew)))
     text = dh_toml_of(arm)
     assert "\ntool = " in text
     again = read_dh(text.encode(), file="written.toml")
@@ -143,7 +143,7 @@ def test_a_frame_left_where_it_was_would_be_seen():
     frames = dh_frames(arm)
     wrong = [replace(b, inertia=a.inertia) for a, b in zip(arm.links, frames.links, strict=True)]
     tip = wrong[-1]
-    wrong[-1] = replace(tip, far_end=tip.far_end @ frames.tool)
+    wrong[-1] = replace(tip, link_tip_frame=tip.link_tip_frame @ frames.tool)
     joints = tuple(replace(joint, axis=np.array([0.0, 0.0, 1.0])) for joint in arm.joints)
     moved = replace(arm, joints=joints, links=tuple(wrong), base=frames.base)
     assert not torques_agree(arm, moved, 1e-3)

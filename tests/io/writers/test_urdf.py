@@ -81,7 +81,7 @@ def test_check_urdf_and_yourdfpy_take_it(number, tmp_path):
 
 
 def test_numbers_are_those_that_somebody_wrote():
-    """From the link's frame to its far end and back costs rounding; the text shows none of it."""
+    """From the link's frame to its tip frame and back costs rounding; the text shows none of it."""
     text = urdf_of(ur5check.load("appendix"))
     assert '<origin xyz="0.0 0.0 0.28" rpy="0 0 0"/>' in text
     assert '<inertia ixx="0.010267495893"' in text
@@ -195,7 +195,7 @@ def test_a_planted_fault_is_seen():
     states = random_states(4, 20, seed=1)
     inertias = [link.inertia for link in arm.links]
     inertias[2] = replace(inertias[2], mass=inertias[2].mass * (1 + 1e-6))
-    unmoved = [link.inertia.expressed_in(link.far_end.inverse()) for link in arm.links]
+    unmoved = [link.inertia.expressed_in(link.link_tip_frame.inverse()) for link in arm.links]
     for wrong in (inertias, unmoved):
         with pytest.raises(AssertionError):
             assert_same_torques(arm, read_back(arm.with_inertias(wrong)), states)

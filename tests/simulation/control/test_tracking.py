@@ -8,7 +8,7 @@ import pytest
 import ur5check
 from ur5check._comparison.arm_pair import pair_up
 from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check._engines.recursion_engine import OwnEngine
+from ur5check._engines.recursion_engine import RecursionEngine
 from ur5check._errors import UsageError
 from ur5check._simulation.control.computed_torque import ComputedTorque, effort_limits
 from ur5check._simulation.control.error_dynamics import companion_matrix, poles
@@ -42,14 +42,14 @@ def test_a_right_model_tracks_to_rounding():
 
 
 def test_our_own_dynamics_close_the_loop_too():
-    own = OwnEngine(APPENDIX)
+    own = RecursionEngine(APPENDIX)
     run = track(ComputedTorque(own, GAINS), own, WAY, seconds=0.05, precision=Precision(1e-7, 1e-9))
     assert run.largest().max() < 1e-7
 
 
 def test_our_torques_drive_pinocchios_arm():
     """Controller and plant by different engines: they mean the same arm."""
-    controller = ComputedTorque(OwnEngine(APPENDIX), GAINS)
+    controller = ComputedTorque(RecursionEngine(APPENDIX), GAINS)
     run = track(controller, PLANT, WAY, seconds=0.1, precision=Precision(1e-7, 1e-9))
     assert run.largest().max() < 1e-7
 

@@ -1,1 +1,2 @@
-"""Which known mistake explains a difference: a catalogue, and a search that can also say "none"."""
+"""Which known mistake explains a difference: a list of mistakes, and a search that can also say
+"none"."""

@@ -36,13 +36,13 @@ class WholeArm:
     joints : numbers from 1 and what is asked of each [rad] or [m]
     base : pose of b's base in a's;  gravity : a's and b's, in a's base frame [m/s²]
     motors : a's and b's motor inertias, shape (2, n) [kg m²]
-    mends_torque : whether the torque difference changes when it is mended; the alignment of joint
+    mends_torque : whether the torque difference changes when it is repaired; the alignment of joint
         angles has been applied already
     """
 
     id: Id
     side: Side | None
-    mends_torque: bool
+    repairs_torque: bool
     choices: int
     joints: tuple[tuple[int, float], ...] = ()
     base: Transform = field(default_factory=Transform.identity)
@@ -51,7 +51,7 @@ class WholeArm:
 
 
 def whole_arm(reading: Reading) -> list[WholeArm]:
-    """What concerns the whole arm in a reading, in the order in which it is to be mended."""
+    """What concerns the whole arm in a reading, in the order in which it is to be repaired."""
     pair, alignment = reading.pair, reading.pair.alignment
     found = []
     if reading.rule is not None:

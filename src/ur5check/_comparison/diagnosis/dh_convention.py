@@ -28,7 +28,7 @@ def read_by_the_other_rule(arm: SerialArm) -> list[SerialArm]:
     if any(abs(joint.axis[2] - 1.0) > _NOTHING for joint in arm.joints):
         return []
     base = _row(arm.base)
-    rows = [_row(link.far_end) for link in arm.links]
+    rows = [_row(link.link_tip_frame) for link in arm.links]
     if base is None or any(row is None for row in rows):
         return []
     table = [row for row in rows if row is not None]
@@ -41,18 +41,23 @@ def read_by_the_other_rule(arm: SerialArm) -> list[SerialArm]:
     else:
         before = [(a_0, alpha_0), *((a, alpha) for _, _, a, alpha in table)]
         first, after = (0.0, 0.0), before[: arm.n]
-    far_ends = [
+    link_tip_frames = [
         _transform((offset, d, a, alpha))
         for (offset, d, _, _), (a, alpha) in zip(table, after, strict=True)
     ]
     links = []
-    for link, far_end, (a, alpha) in zip(arm.links, far_ends, after, strict=True):
+    for link, link_tip_frame, (a, alpha) in zip(arm.links, link_tip_frames, after, strict=True):
         # The numbers stay as written: in the frame that the other rule puts at that row.
         standard = first == (0.0, 0.0)
         frame = Transform.identity() if standard else _transform((0.0, 0.0, a, alpha)).inverse()
         written = link.inertia.expressed_in(link.source_frame.inverse())
         links.append(
-            replace(link, far_end=far_end, source_frame=frame, inertia=written.expressed_in(frame))
+            replace(
+                link,
+                link_tip_frame=link_tip_frame,
+                source_frame=frame,
+                inertia=written.expressed_in(frame),
+            )
         )
     return [replace(arm, base=_transform((0.0, 0.0, *first)), links=tuple(links))]
 

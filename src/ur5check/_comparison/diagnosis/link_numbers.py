@@ -17,7 +17,7 @@ from ..._robot.transforms import Array, Transform
 from ..alignment import SAME_LENGTH
 from ..arm_pair import Pair, Side
 
-__all__ = ["Body", "Scene", "body_of", "changed_bodies", "with_body"]
+__all__ = ["Body", "LinkPair", "body_of", "changed_bodies", "with_body"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,21 +25,21 @@ class Body:
     """What a file says of one link, in the frame in which it says it.
 
     mass [kg];  com, shape (3,) [m];  tensor about it, shape (3, 3) [kg m²]
-    reach : from the link's joint to its far end, shape (3,) [m]
+    reach : from the link's joint to its tip frame, shape (3,) [m]
     turn : rotation from the link's far frame to its near one, R(P_i), shape (3, 3)
-    offset : the same way as `reach`, as the file gives it, shape (3,) [m]: before the turn (a
-        URDF's xyz, a DH row's a and d), or after it if `after_turn` (a listing's r_{i−1,i})
-    near : whether the frame stands at the link's joint (a URDF) or at its far end (a DH table)
+    offset : the same way as `link_vector`, as the file gives it, shape (3,) [m]: before the turn (a
+        URDF's xyz, a DH row's a and d), or after it if `after_rotation` (a listing's r_{i−1,i})
+    near : whether the frame stands at the link's joint (a URDF) or at its tip frame (a DH table)
     welded : (name, inertia in the same frame) of the bodies fixed to the link, which it contains
     """
 
     mass: float
     com: Array
     tensor: Array
-    reach: Array
-    turn: Array
+    link_vector: Array
+    rotation: Array
     offset: Array
-    after_turn: bool
+    after_rotation: bool
     near: bool
     welded: tuple[tuple[str, Inertia], ...] = ()
 
@@ -49,11 +49,15 @@ class Body:
         return Inertia(self.mass, self.com, self.tensor)
 
     def centre_off_link(self) -> float:
-        """How far the centre of mass lies from the straight line between joint and far end [m]."""
-        from_joint = self.com if self.near else self.com + self.reach
-        length_squared = float(self.reach @ self.reach)
-        along = float(from_joint @ self.reach) / length_squared if length_squared > 0.0 else 0.0
-        return float(np.linalg.norm(from_joint - min(max(along, 0.0), 1.0) * self.reach))
+        """How far the centre of mass lies from the straight line between joint and tip frame
+        [m].
+        """
+        from_joint = self.com if self.near else self.com + self.link_vector
+        length_squared = float(self.link_vector @ self.link_vector)
+        along = (
+            float(from_joint @ self.link_vector) / length_squared if length_squared > 0.0 else 0.0
+        )
+        return float(np.linalg.norm(from_joint - min(max(along, 0.0), 1.0) * self.link_vector))
 
     @property
     def steiner(self) -> Array:
@@ -63,7 +67,7 @@ class Body:
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class LinkPair:
     """A suspect's bodies, and what the other side says that they should be.
 
     side : which arm of the pair is the suspect
@@ -82,7 +86,7 @@ class Scene:
         )
 
     @classmethod
-    def of(cls, pair: Pair, side: Side) -> Scene:
+    def of(cls, pair: Pair, side: Side) -> LinkPair:
         """The pair with `side` as the suspect."""
         arms = {"a": pair.a, "b": pair.given_b}
         suspect, other = (arms[side], arms["a" if side == "b" else "b"])
@@ -90,10 +94,10 @@ class Scene:
         if pair.number_by_number:
             # Number by number, as both files write them; a DH file may write a and d, or r.
             ways = [
-                cls(side, _bodies(suspect, after_turn), _bodies(other, after_turn))
-                for after_turn in (False, True)
+                cls(side, _bodies(suspect, after_rotation), _bodies(other, after_rotation))
+                for after_rotation in (False, True)
             ]
-            return min(ways, key=lambda scene: scene.unequal_offsets())
+            return min(ways, key=lambda link_pair: link_pair.unequal_offsets())
         bodies = _bodies(suspect)
         truth = tuple(
             _taken_over(own, link, T, as_written)
@@ -104,8 +108,8 @@ class Scene:
         return cls(side, bodies, truth)
 
 
-def _bodies(arm: SerialArm, after_turn: bool = False) -> tuple[Body, ...]:
-    return tuple(body_of(arm, i, after_turn) for i in range(arm.n))
+def _bodies(arm: SerialArm, after_rotation: bool = False) -> tuple[Body, ...]:
+    return tuple(body_of(arm, i, after_rotation) for i in range(arm.n))
 
 
 def _taken_over(own: Link, other: Link, T: Transform, as_written: Body) -> Body:
@@ -118,12 +122,14 @@ def _taken_over(own: Link, other: Link, T: Transform, as_written: Body) -> Body:
     )
 
 
-def changed_bodies(scene: Scene, link: int, body: Body) -> Scene:
+def changed_bodies(link_pair: LinkPair, link: int, body: Body) -> LinkPair:
     """The scene with one of the suspect's bodies replaced."""
-    return replace(scene, bodies=(*scene.bodies[:link], body, *scene.bodies[link + 1 :]))
+    return replace(
+        link_pair, bodies=(*link_pair.bodies[:link], body, *link_pair.bodies[link + 1 :])
+    )
 
 
-def body_of(arm: SerialArm, link: int, after_turn: bool = False) -> Body:
+def body_of(arm: SerialArm, link: int, after_rotation: bool = False) -> Body:
     """The numbers of one link (from 0), as its source writes them.
 
     after_turn : whether the source gives r_{i−1,i} rather than what comes before the turn; never
@@ -133,17 +139,17 @@ def body_of(arm: SerialArm, link: int, after_turn: bool = False) -> Body:
     to_source = own.source_frame.inverse()
     inertia = own.inertia.expressed_in(to_source)
     welded = tuple((name, part.expressed_in(to_source)) for name, part in own.welded)
-    P, near = own.far_end, own.held_near
-    reach = P.p if near else to_source.R @ P.R.T @ P.p
-    after_turn = after_turn and not near
+    P, near = own.link_tip_frame, own.held_near
+    link_vector = P.p if near else to_source.R @ P.R.T @ P.p
+    after_rotation = after_rotation and not near
     return Body(
         inertia.mass,
         inertia.com,
         inertia.tensor,
-        reach,
+        link_vector,
         P.R,
-        reach if after_turn else P.p,
-        after_turn,
+        link_vector if after_rotation else P.p,
+        after_rotation,
         near,
         welded,
     )
@@ -151,13 +157,15 @@ def body_of(arm: SerialArm, link: int, after_turn: bool = False) -> Body:
 
 def with_body(arm: SerialArm, link: int, body: Body) -> SerialArm:
     """The arm with the numbers of one link (from 0) replaced by `body`'s, in its source's frame."""
-    old, written = arm.links[link], body_of(arm, link, body.after_turn)
-    far_end, source_frame = old.far_end, old.source_frame
-    same = np.array_equal(body.offset, written.offset) and np.array_equal(body.turn, written.turn)
+    old, written = arm.links[link], body_of(arm, link, body.after_rotation)
+    link_tip_frame, source_frame = old.link_tip_frame, old.source_frame
+    same = np.array_equal(body.offset, written.offset) and np.array_equal(
+        body.rotation, written.rotation
+    )
     if not same:
-        p = body.turn @ source_frame.R @ body.offset if body.after_turn else body.offset
-        far_end = Transform(body.turn, p)
-        source_frame = far_end.inverse() if body.near else source_frame
+        p = body.rotation @ source_frame.R @ body.offset if body.after_rotation else body.offset
+        link_tip_frame = Transform(body.rotation, p)
+        source_frame = link_tip_frame.inverse() if body.near else source_frame
     inertia = body.whole.expressed_in(source_frame)
-    new = replace(old, far_end=far_end, inertia=inertia, source_frame=source_frame)
+    new = replace(old, link_tip_frame=link_tip_frame, inertia=inertia, source_frame=source_frame)
     return replace(arm, links=(*arm.links[:link], new, *arm.links[link + 1 :]))

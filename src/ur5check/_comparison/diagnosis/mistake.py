@@ -1,4 +1,4 @@
-"""What a known mistake is: a way to be wrong, and the values that would mend it."""
+"""What a known mistake is: a way to be wrong, and the values that would repair it."""
 
 from __future__ import annotations
 
@@ -6,25 +6,25 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from .link_numbers import Body, Scene
+from .link_numbers import Body, LinkPair
 
-__all__ = ["Mistake", "Quantity", "Remedy", "changed", "value_of"]
+__all__ = ["Mistake", "Quantity", "Repair", "changed", "value_of"]
 
 #: What a mistake spoils: one number, vector or matrix of one link; "body" is mass, centre and
 #: tensor at once.
-Quantity = Literal["mass", "centre", "tensor", "reach", "turn", "body"]
+Quantity = Literal["mass", "centre", "tensor", "link_vector", "rotation", "body"]
 
 _FIELDS: dict[Quantity, str] = {
     "mass": "mass",
     "centre": "com",
     "tensor": "tensor",
-    "reach": "offset",
-    "turn": "turn",
+    "link_vector": "offset",
+    "rotation": "rotation",
     "body": "whole",
 }
 
-#: (how, the mended value): one way in which the mistake could have been made.
-Remedy = tuple[str, Any]
+#: (how, the repaired value): one way in which the mistake could have been made.
+Repair = tuple[str, Any]
 
 
 @dataclass(frozen=True)
@@ -34,8 +34,8 @@ class Mistake:
     id : how reports, tests and the docs name it
     quantity : what it spoils
     says : what happened, as a clause that follows the link's name
-    mend : what to do in the file
-    remedies : of a scene and a link (from 0), every value that would mend it
+    repair : what to do in the file
+    fixes : of a scene and a link (from 0), every value that would repair it
     alone : whether it must explain a number by itself.  Most mistakes are undone from the suspect's
         own numbers and may come in pairs; one that takes its value from elsewhere would, in a
         pair, explain anything.
@@ -44,8 +44,8 @@ class Mistake:
     id: str
     quantity: Quantity
     says: str
-    mend: str
-    remedies: Callable[[Scene, int], Iterator[Remedy]]
+    repair: str
+    repairs: Callable[[LinkPair, int], Iterator[Repair]]
     alone: bool = False
 
 

@@ -1,13 +1,13 @@
 """Which mistake explains a number?  Every known one is tried on it, alone and then in pairs.
 
 A number (a mass, a centre, a tensor, a length, a twist) is wrong if the two files disagree about
-it.  A mistake explains it if mending the mistake makes them agree:
+it.  A mistake explains it if repairing the mistake makes them agree:
 
 - *to the digits*: to one part in ten thousand, which is what four printed digits can tell.  Of the
-  few dozen values that a number could be mended to, none comes that close by chance.
+  few dozen values that a number could be repaired to, none comes that close by chance.
 - *to the noise*: when two models differ everywhere by a few per cent, as honest measurements do,
-  mending can only bring a number back among the others.  The mistake must then stand out from that
-  noise by a factor of five, and vanish in it.
+  repairing can only bring a number back among the others.  The mistake must then stand out from
+  that noise by a factor of five, and vanish in it.
 
 Otherwise no known mistake explains the number, and that is what is said.
 """
@@ -21,14 +21,14 @@ from typing import Any
 import numpy as np
 
 from ..._robot.transforms import Array
-from .link_numbers import Body, Scene, changed_bodies
+from .link_numbers import Body, LinkPair, changed_bodies
 from .mistake import Mistake, Quantity, changed, value_of
-from .mistakes import CATALOGUE
+from .mistakes import MISTAKES
 
 __all__ = [
     "DIGITS",
-    "Suspicion",
-    "Verdict",
+    "Candidate",
+    "Mismatch",
     "disagreements",
     "explanations",
     "stands_out",
@@ -38,17 +38,17 @@ __all__ = [
 #: Numbers that agree to four digits agree.
 DIGITS = 1e-4
 
-_STANDS_OUT = 5.0  # times the noise, before mending
-_VANISHES = 5.0  # times the noise, after: mending may lean on several noisy numbers
+_STANDS_OUT = 5.0  # times the noise, before repairing
+_VANISHES = 5.0  # times the noise, after: repairing may lean on several noisy numbers
 _MOST_NOISE = 0.06  # models that differ more than this everywhere are not two measurements of one
-_HELPS = 5.0  # mending must bring a number at least so much closer
+_HELPS = 5.0  # repairing must bring a number at least so much closer
 
 _INERTIAL: tuple[Quantity, ...] = ("mass", "centre", "tensor")
-_GEOMETRIC: tuple[Quantity, ...] = ("reach", "turn")
+_GEOMETRIC: tuple[Quantity, ...] = ("link_vector", "rotation")
 
 
 @dataclass(frozen=True)
-class Suspicion:
+class Mismatch:
     """A number on which the two sides disagree.
 
     link : from 0;  gap : relative disagreement
@@ -60,15 +60,15 @@ class Suspicion:
 
 
 @dataclass(frozen=True, eq=False)
-class Verdict:
+class Candidate:
     """A mistake (or two in one number) that explains a disagreement.
 
-    mistakes, hows : what was done wrong, in the order of mending
-    value : the mended number;  after : the gap that is left
-    choices : how many mended values were tried for this number
+    mistakes, hows : what was done wrong, in the order of repairing
+    value : the repaired number;  after : the gap that is left
+    choices : how many repaired values were tried for this number
     """
 
-    suspicion: Suspicion
+    mismatch: Mismatch
     mistakes: tuple[Mistake, ...]
     hows: tuple[str, ...]
     value: Any
@@ -77,91 +77,93 @@ class Verdict:
 
     @property
     def ids(self) -> tuple[str, ...]:
-        """The mistakes' ids, in the catalogue's order."""
-        return tuple(m.id for m in CATALOGUE if m in self.mistakes)
+        """The mistakes' ids, in the list of mistakes's order."""
+        return tuple(m.id for m in MISTAKES if m in self.mistakes)
 
 
-def disagreements(scene: Scene, geometry: bool) -> list[Suspicion]:
+def disagreements(link_pair: LinkPair, geometry: bool) -> list[Mismatch]:
     """How far suspect and truth are apart on every number; geometry where axes do not coincide.
 
     A centre of mass is measured against the arm's size too, so that a micrometre on a centre that
     lies at the origin is not all of it.
     """
-    size = max(float(np.linalg.norm(body.reach)) for body in scene.truth)
-    floors = {"centre": 0.01 * size, "reach": 0.01 * size}
+    size = max(float(np.linalg.norm(body.link_vector)) for body in link_pair.truth)
+    floors = {"centre": 0.01 * size, "link_vector": 0.01 * size}
     return [
-        Suspicion(i, quantity, _gap(quantity, own, truth, floors.get(quantity, 0.0)))
-        for i, (own, truth) in enumerate(zip(scene.bodies, scene.truth, strict=True))
+        Mismatch(i, quantity, _gap(quantity, own, truth, floors.get(quantity, 0.0)))
+        for i, (own, truth) in enumerate(zip(link_pair.bodies, link_pair.truth, strict=True))
         for quantity in (*_INERTIAL, *_GEOMETRIC)[: 5 if geometry else 3]
     ]
 
 
-def explanations(scene: Scene, suspicion: Suspicion, noise: float) -> list[Verdict]:
+def explanations(link_pair: LinkPair, mismatch: Mismatch, noise: float) -> list[Candidate]:
     """Everything that explains a disagreement about as well as the best, the likelier first.
 
     noise : the gap that is usual between these two models
     """
-    alone = list(_singles(scene, suspicion.link, suspicion.quantity))
-    found = _good_enough(suspicion, alone, DIGITS)
-    if not found and stands_out(suspicion, noise):
-        pairs = list(_pairs(scene, suspicion.link, suspicion.quantity))
-        found = _good_enough(suspicion, pairs, DIGITS, len(alone) + len(pairs))
-    if not found and DIGITS < noise < _MOST_NOISE and stands_out(suspicion, noise):
-        found = _good_enough(suspicion, alone, _VANISHES * noise)
+    alone = list(_singles(link_pair, mismatch.link, mismatch.quantity))
+    found = _good_enough(mismatch, alone, DIGITS)
+    if not found and stands_out(mismatch, noise):
+        pairs = list(_pairs(link_pair, mismatch.link, mismatch.quantity))
+        found = _good_enough(mismatch, pairs, DIGITS, len(alone) + len(pairs))
+    if not found and DIGITS < noise < _MOST_NOISE and stands_out(mismatch, noise):
+        found = _good_enough(mismatch, alone, _VANISHES * noise)
     return found
 
 
-def usual_gap(suspicions: Iterable[Suspicion]) -> float:
+def usual_gap(mismatches: Iterable[Mismatch]) -> float:
     """The median disagreement of inertial numbers: what two honest measurements leave.
 
     Lengths are left aside: they are copied from data sheets, not measured.
     """
-    return float(np.median([s.gap for s in suspicions if s.quantity in _INERTIAL]))
+    return float(np.median([s.gap for s in mismatches if s.quantity in _INERTIAL]))
 
 
-def stands_out(suspicion: Suspicion, noise: float) -> bool:
+def stands_out(mismatch: Mismatch, noise: float) -> bool:
     """Whether a number is further off than honest measurement would have it."""
-    return suspicion.gap > max(DIGITS, _STANDS_OUT * noise if noise < _MOST_NOISE else 0.0)
+    return mismatch.gap > max(DIGITS, _STANDS_OUT * noise if noise < _MOST_NOISE else 0.0)
 
 
 _Tried = tuple[tuple[Mistake, ...], tuple[str, ...], Any, float]
 
 
-def _singles(scene: Scene, i: int, quantity: Quantity) -> Iterator[_Tried]:
+def _singles(link_pair: LinkPair, i: int, quantity: Quantity) -> Iterator[_Tried]:
     tried = [
         (mistake, how, value)
-        for mistake in CATALOGUE
+        for mistake in MISTAKES
         if mistake.quantity == quantity
-        for how, value in mistake.remedies(scene, i)
+        for how, value in mistake.repairs(link_pair, i)
     ]
-    gaps = _gaps(quantity, [value for *_, value in tried], scene.truth[i])
+    gaps = _gaps(quantity, [value for *_, value in tried], link_pair.truth[i])
     for (mistake, how, value), gap in zip(tried, gaps.tolist(), strict=True):
         yield (mistake,), (how,), value, gap
 
 
-def _pairs(scene: Scene, i: int, quantity: Quantity) -> Iterator[_Tried]:
-    """Two different mistakes in one number, one mended after the other."""
-    for (first,), (how,), value, _ in _singles(scene, i, quantity):
+def _pairs(link_pair: LinkPair, i: int, quantity: Quantity) -> Iterator[_Tried]:
+    """Two different mistakes in one number, one repaired after the other."""
+    for (first,), (how,), value, _ in _singles(link_pair, i, quantity):
         if first.alone:
             continue
-        half_mended = changed_bodies(scene, i, changed(scene.bodies[i], quantity, value))
-        for (second,), (then,), mended, gap in _singles(half_mended, i, quantity):
+        half_repaired = changed_bodies(link_pair, i, changed(link_pair.bodies[i], quantity, value))
+        for (second,), (then,), repaired, gap in _singles(half_repaired, i, quantity):
             if second is not first and not second.alone:
-                yield (first, second), (how, then), mended, gap
+                yield (first, second), (how, then), repaired, gap
 
 
 def _good_enough(
-    suspicion: Suspicion, tried: list[_Tried], bound: float, choices: int | None = None
-) -> list[Verdict]:
-    """Those within the bound that mend about as well as the best, one for each set of mistakes."""
-    good = [t for t in tried if t[3] <= bound and t[3] < suspicion.gap / _HELPS]
+    mismatch: Mismatch, tried: list[_Tried], bound: float, choices: int | None = None
+) -> list[Candidate]:
+    """Those within the bound that repair about as well as the best, one for each set of
+    mistakes.
+    """
+    good = [t for t in tried if t[3] <= bound and t[3] < mismatch.gap / _HELPS]
     best = min((gap for *_, gap in good), default=0.0)
-    verdicts: dict[tuple[str, ...], Verdict] = {}
+    candidates: dict[tuple[str, ...], Candidate] = {}
     for mistakes, hows, value, gap in good:
         if gap <= max(2.0 * best, DIGITS / 100):
-            verdict = Verdict(suspicion, mistakes, hows, value, gap, choices or len(tried))
-            verdicts.setdefault(verdict.ids, verdict)
-    return list(verdicts.values())
+            candidate = Candidate(mismatch, mistakes, hows, value, gap, choices or len(tried))
+            candidates.setdefault(candidate.ids, candidate)
+    return list(candidates.values())
 
 
 def _gap(quantity: Quantity, own: Body, truth: Body, floor: float = 0.0) -> float:
@@ -180,7 +182,7 @@ def _gaps(quantity: Quantity, values: Sequence[Any], truth: Body, floor: float =
     true = np.ravel(value_of(truth, quantity))
     found = np.array(values, dtype=np.float64).reshape(-1, len(true))
     difference = _lengths(found - true)
-    if quantity == "turn":
+    if quantity == "rotation":
         return difference
     scale = np.maximum(_lengths(found), max(float(_lengths(true)), floor))
     return np.divide(difference, scale, out=np.zeros_like(scale), where=scale > 0.0)

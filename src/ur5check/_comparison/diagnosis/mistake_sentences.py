@@ -12,7 +12,7 @@ from .arm_mistakes import WholeArm
 from .cylinder_fit import fit_cylinder
 from .link_numbers import Body
 from .mistake import Quantity
-from .mistake_search import Suspicion
+from .mistake_search import Mismatch
 from .pair_readings import Explained
 
 __all__ = ["finding_in_words", "remark", "whole_arm_in_words"]
@@ -22,16 +22,16 @@ def finding_in_words(
     group: Sequence[Explained], names: Mapping[Side, str]
 ) -> tuple[str, str, tuple[str, ...]]:
     """(sentence, advice, a detail for each link) for one mistake, made in one or more links."""
-    ordered = sorted(group, key=lambda e: e.verdict.suspicion.link)
-    verdict = ordered[0].verdict
-    links = [str(e.verdict.suspicion.link + 1) for e in ordered]
+    ordered = sorted(group, key=lambda e: e.candidate.mismatch.link)
+    candidate = ordered[0].candidate
+    links = [str(e.candidate.mismatch.link + 1) for e in ordered]
     where = f"Link{'s' if len(links) > 1 else ''} {listed(links)}"
     arm = "one of the two" if all(e.either for e in ordered) else names[ordered[0].side]
-    what = ", and ".join(mistake.says for mistake in verdict.mistakes)
-    hows = {e.verdict.hows for e in ordered}
+    what = ", and ".join(mistake.says for mistake in candidate.mistakes)
+    hows = {e.candidate.hows for e in ordered}
     if len(hows) == 1:  # made in the same way everywhere: worth saying at once
-        what += f" ({', '.join(verdict.hows)})"
-    advice = "; ".join(dict.fromkeys(mistake.mend for mistake in verdict.mistakes))
+        what += f" ({', '.join(candidate.hows)})"
+    advice = "; ".join(dict.fromkeys(mistake.repair for mistake in candidate.mistakes))
     details = tuple(
         f"link {link}: {_detail(explained)}" for link, explained in zip(links, ordered, strict=True)
     )
@@ -40,37 +40,37 @@ def finding_in_words(
 
 def _detail(explained: Explained) -> str:
     """How the mistake was made in one link, and the cylinder behind a tensor."""
-    said = ", ".join(explained.verdict.hows)
-    if explained.verdict.suspicion.quantity != "tensor":
+    said = ", ".join(explained.candidate.hows)
+    if explained.candidate.mismatch.quantity != "tensor":
         return said
     written = fit_cylinder(explained.body.mass, explained.body.tensor)
-    mended = fit_cylinder(explained.body.mass, explained.verdict.value)
-    if mended is None:
+    repaired = fit_cylinder(explained.body.mass, explained.candidate.value)
+    if repaired is None:
         return said
-    instead = f" (as written: {written})" if written is not None and written != mended else ""
-    return f"{said}; mended, {mended}{instead}"
+    instead = f" (as written: {written})" if written is not None and written != repaired else ""
+    return f"{said}; repaired, {repaired}{instead}"
 
 
-def remark(suspicion: Suspicion, bodies: Mapping[Side, Body], names: Mapping[Side, str]) -> str:
+def remark(mismatch: Mismatch, bodies: Mapping[Side, Body], names: Mapping[Side, str]) -> str:
     """A number that no known mistake explains, with the cylinders behind a tensor."""
-    number = f"link {suspicion.link + 1}'s {_WORDS[suspicion.quantity]}"
+    number = f"link {mismatch.link + 1}'s {_WORDS[mismatch.quantity]}"
     said = f"No single known mistake explains {number}"
-    if suspicion.quantity != "tensor":
-        return f"{said} ({suspicion.gap:.2g} apart)"
+    if mismatch.quantity != "tensor":
+        return f"{said} ({mismatch.gap:.2g} apart)"
     cylinders = [
         f"{names[side]} has {fitted}"
         for side, body in bodies.items()
         if (fitted := fit_cylinder(body.mass, body.tensor)) is not None
     ]
-    return f"{said} ({'; '.join(cylinders) or f'{suspicion.gap:.2g} apart'})"
+    return f"{said} ({'; '.join(cylinders) or f'{mismatch.gap:.2g} apart'})"
 
 
 _WORDS: dict[Quantity, str] = {
     "mass": "mass",
     "centre": "centre of mass",
     "tensor": "tensor",
-    "reach": "length",
-    "turn": "twist",
+    "link_vector": "length",
+    "rotation": "twist",
     "body": "inertia",
 }
 

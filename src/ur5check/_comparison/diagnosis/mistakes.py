@@ -1,8 +1,9 @@
-"""The known mistakes, the likelier first: where two mend equally well, the earlier is named first.
+"""The known mistakes, the likelier first: where two repair equally well, the earlier is named
+first.
 
-Sources: what users reported (docs/diagnosis.md lists the threads) and the slips of the paper
-itself.  A `reach` is r_{i−1,i} of a DH listing or the next joint's origin of a URDF; a `turn` is a
-DH α or an origin's rpy.
+Sources: what users reported (docs/diagnosis.md lists the threads) and the mistakes of the paper
+itself.  A `link_vector` is r_{i−1,i} of a DH listing or the next joint's origin of a URDF; a
+`rotation` is a DH α or an origin's rpy.
 """
 
 from __future__ import annotations
@@ -14,75 +15,89 @@ import numpy as np
 from ..._robot.inertia import Inertia
 from ..._robot.transforms import Array, Transform
 from .cylinder_fit import Cylinder, fit_cylinder
-from .link_numbers import Scene
-from .mistake import Mistake, Quantity, Remedy, value_of
-from .number_mistakes import DECADES, axis_swaps, decimal_slips, digit_swaps, sign_flips, words_of
+from .link_numbers import LinkPair
+from .mistake import Mistake, Quantity, Repair, value_of
+from .number_mistakes import (
+    DECADES,
+    axis_swaps,
+    digit_swaps,
+    shifted_decimals,
+    sign_flips,
+    words_of,
+)
 
-__all__ = ["CATALOGUE"]
+__all__ = ["MISTAKES"]
 
 
 # --- any vector ----------------------------------------------------------------------------------
 
 
 def _signs(quantity: Quantity) -> Mistake:
-    def remedies(scene: Scene, i: int) -> Iterator[Remedy]:
-        v: Array = value_of(scene.bodies[i], quantity)
+    def repairs(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+        v: Array = value_of(link_pair.bodies[i], quantity)
         yield from sign_flips(v)
         if np.count_nonzero(v) > 1:
             yield "all signs", -v
 
-    what = "the length" if quantity == "reach" else "the centre of mass"
+    what = "the length" if quantity == "link_vector" else "the centre of mass"
     return Mistake(
-        f"{quantity}-sign", quantity, f"a sign of {what} is lost", "write the sign", remedies
+        f"{quantity}-sign", quantity, f"a sign of {what} is lost", "write the sign", repairs
     )
 
 
 def _swapped_axes(quantity: Quantity) -> Mistake:
-    def remedies(scene: Scene, i: int) -> Iterator[Remedy]:
+    def repairs(link_pair: LinkPair, i: int) -> Iterator[Repair]:
         for how, permutation in axis_swaps():
-            yield how, permutation @ value_of(scene.bodies[i], quantity)
+            yield how, permutation @ value_of(link_pair.bodies[i], quantity)
 
-    what = "the offset" if quantity == "reach" else "the centre of mass"
+    what = "the offset" if quantity == "link_vector" else "the centre of mass"
     return Mistake(
         f"{quantity}-axes",
         quantity,
         f"{what} has its components on the wrong axes",
         "write each component on its own axis",
-        remedies,
+        repairs,
     )
 
 
-def _scaled(quantity: Quantity, says: str, mend: str) -> Mistake:
-    def remedies(scene: Scene, i: int) -> Iterator[Remedy]:
-        value = value_of(scene.bodies[i], quantity)
+def _scaled(quantity: Quantity, says: str, repair: str) -> Mistake:
+    def repairs(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+        value = value_of(link_pair.bodies[i], quantity)
         for factor in DECADES:
             yield words_of(factor), factor * value
-        if quantity in ("centre", "reach"):
-            yield from decimal_slips(value)
+        if quantity in ("centre", "link_vector"):
+            yield from shifted_decimals(value)
 
     # Not in pairs: shrunk to nothing, a number takes any mistake that adds something.
-    return Mistake(f"{quantity}-scaled", quantity, says, mend, remedies, alone=True)
+    return Mistake(f"{quantity}-scaled", quantity, says, repair, repairs, alone=True)
 
 
 def _exchanged(quantity: Quantity) -> Mistake:
-    def remedies(scene: Scene, i: int) -> Iterator[Remedy]:
-        mine, mine_due = (value_of(side[i], quantity) for side in (scene.bodies, scene.truth))
-        for j, other in enumerate(scene.bodies):
+    def repairs(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+        mine, mine_due = (
+            value_of(side[i], quantity) for side in (link_pair.bodies, link_pair.truth)
+        )
+        for j, other in enumerate(link_pair.bodies):
             # An exchange goes both ways: what stands here is what the other link should have.  Two
             # links that should have nearly the same (a UR5's wrists) must have it to the digit.
-            due = value_of(scene.truth[j], quantity)
+            due = value_of(link_pair.truth[j], quantity)
             size = np.linalg.norm(due)
             nearly = 0.1 if np.linalg.norm(mine_due - due) > 0.1 * size else 1e-4
             if j != i and np.linalg.norm(mine - due) < nearly * size:
                 yield f"with link {j + 1}", value_of(other, quantity)
 
-    words = {"mass": "mass", "centre": "centre of mass", "tensor": "tensor", "reach": "length"}
+    words = {
+        "mass": "mass",
+        "centre": "centre of mass",
+        "tensor": "tensor",
+        "link_vector": "length",
+    }
     return Mistake(
         f"{quantity}-exchanged",
         quantity,
         f"the {words[quantity]} is exchanged with another link's",
         "put each link's numbers into its own row",
-        remedies,
+        repairs,
         alone=True,
     )
 
@@ -90,40 +105,40 @@ def _exchanged(quantity: Quantity) -> Mistake:
 # --- mass ----------------------------------------------------------------------------------------
 
 
-def _mass_digits(scene: Scene, i: int) -> Iterator[Remedy]:
+def _mass_digits(link_pair: LinkPair, i: int) -> Iterator[Repair]:
     # Two neighbouring digits further back make a difference that any two measurements have: the
-    # mended number must be the other one, digit by digit.
-    for how, mended in digit_swaps(scene.bodies[i].mass):
-        if abs(mended - scene.truth[i].mass) <= 1e-9 * mended:
-            yield how, mended
+    # repaired number must be the other one, digit by digit.
+    for how, repaired in digit_swaps(link_pair.bodies[i].mass):
+        if abs(repaired - link_pair.truth[i].mass) <= 1e-9 * repaired:
+            yield how, repaired
 
 
 # --- centre of mass ------------------------------------------------------------------------------
 
 
-def _other_end(scene: Scene, i: int) -> Iterator[Remedy]:
-    body = scene.bodies[i]
-    if body.reach.any():
-        yield "from the far end instead of the joint", body.com + body.reach
-        yield "from the joint instead of the far end", body.com - body.reach
+def _other_end(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    body = link_pair.bodies[i]
+    if body.link_vector.any():
+        yield "from the tip frame instead of the joint", body.com + body.link_vector
+        yield "from the joint instead of the tip frame", body.com - body.link_vector
 
 
-def _other_frame(scene: Scene, i: int) -> Iterator[Remedy]:
-    body = scene.bodies[i]
-    if Transform(body.turn, np.zeros(3)).angle() > 1e-9:
-        yield "in the axes of the link's far end", body.turn @ body.com
-        yield "in the axes of the link's joint", body.turn.T @ body.com
+def _other_frame(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    body = link_pair.bodies[i]
+    if Transform(body.rotation, np.zeros(3)).angle() > 1e-9:
+        yield "in the axes of the link's tip frame", body.rotation @ body.com
+        yield "in the axes of the link's joint", body.rotation.T @ body.com
 
 
-def _middle_of_shape(scene: Scene, i: int) -> Iterator[Remedy]:
+def _middle_of_shape(link_pair: LinkPair, i: int) -> Iterator[Repair]:
     """A centre that is a point of the link's shape, not a measured one.
 
     Two models that differ by a few per cent here may both be measured: only a centre that is off by
     more than any measurement is put down to this.
     """
-    body, truth = scene.bodies[i], scene.truth[i].com
+    body, truth = link_pair.bodies[i], link_pair.truth[i].com
     apart = float(np.linalg.norm(body.com - truth))
-    size = max(float(np.linalg.norm(other.reach)) for other in scene.bodies)
+    size = max(float(np.linalg.norm(other.link_vector)) for other in link_pair.bodies)
     far = max(float(np.linalg.norm(body.com)), float(np.linalg.norm(truth)))
     fitted = fit_cylinder(body.mass, body.tensor)
     if fitted is None or apart < max(0.15 * far, 0.03 * size):
@@ -133,31 +148,32 @@ def _middle_of_shape(scene: Scene, i: int) -> Iterator[Remedy]:
         "at its frame's origin": np.zeros(3),
         "half the cylinder's length from it": half,
         "half the cylinder's length behind it": -half,
-        "half way along the link": 0.5 * body.reach,
-        "at the link's far end": body.reach,
-        "half the cylinder's length before the far end": body.reach - _along(body.reach, fitted),
+        "half way along the link": 0.5 * body.link_vector,
+        "at the link's tip frame": body.link_vector,
+        "half the cylinder's length before the tip frame": body.link_vector
+        - _along(body.link_vector, fitted),
     }
     for how, middle in middles.items():
         if np.linalg.norm(body.com - middle) <= 1e-6:
             yield how, truth
 
 
-def _along(reach: Array, fitted: Cylinder) -> Array:
-    length = float(np.linalg.norm(reach))
-    return reach * (0.5 * fitted.length / length) if length > 0.0 else reach
+def _along(link_vector: Array, fitted: Cylinder) -> Array:
+    length = float(np.linalg.norm(link_vector))
+    return link_vector * (0.5 * fitted.length / length) if length > 0.0 else link_vector
 
 
 # --- body ----------------------------------------------------------------------------------------
 
 
-def _child_dropped(scene: Scene, i: int) -> Iterator[Remedy]:
-    for name, part in scene.truth[i].welded:
-        yield name, scene.bodies[i].whole + part
+def _child_dropped(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    for name, part in link_pair.truth[i].welded:
+        yield name, link_pair.bodies[i].whole + part
 
 
-def _child_twice(scene: Scene, i: int) -> Iterator[Remedy]:
-    body = scene.bodies[i]
-    for name, part in (*body.welded, *scene.truth[i].welded):
+def _child_twice(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    body = link_pair.bodies[i]
+    for name, part in (*body.welded, *link_pair.truth[i].welded):
         rest = body.whole.parameters() - part.parameters()
         if rest[0] > 0.0:
             yield name, Inertia.from_parameters(rest)
@@ -166,40 +182,40 @@ def _child_twice(scene: Scene, i: int) -> Iterator[Remedy]:
 # --- tensor --------------------------------------------------------------------------------------
 
 
-def _not_rotated(scene: Scene, i: int) -> Iterator[Remedy]:
-    R, tensor = scene.bodies[i].turn, scene.bodies[i].tensor
+def _not_rotated(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    R, tensor = link_pair.bodies[i].rotation, link_pair.bodies[i].tensor
     if Transform(R, np.zeros(3)).angle() > 1e-9:
-        yield "in the axes of the link's far end", R @ tensor @ R.T
+        yield "in the axes of the link's tip frame", R @ tensor @ R.T
         yield "in the axes of the link's joint", R.T @ tensor @ R
 
 
-def _wrong_axis(scene: Scene, i: int) -> Iterator[Remedy]:
+def _wrong_axis(link_pair: LinkPair, i: int) -> Iterator[Repair]:
     for how, permutation in axis_swaps():
-        yield how, permutation @ scene.bodies[i].tensor @ permutation.T
+        yield how, permutation @ link_pair.bodies[i].tensor @ permutation.T
 
 
-def _about_origin(scene: Scene, i: int) -> Iterator[Remedy]:
-    body = scene.bodies[i]
+def _about_origin(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    body = link_pair.bodies[i]
     yield "it is about the frame's origin", body.tensor - body.steiner
 
 
-def _steiner(scene: Scene, i: int) -> Iterator[Remedy]:
-    body = scene.bodies[i]
+def _steiner(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    body = link_pair.bodies[i]
     yield "parallel axes were added twice", body.tensor - 2.0 * body.steiner
     yield "parallel axes were taken off where they should not be", body.tensor + body.steiner
 
 
-def _product_signs(scene: Scene, i: int) -> Iterator[Remedy]:
-    tensor = scene.bodies[i].tensor
+def _product_signs(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    tensor = link_pair.bodies[i].tensor
     pairs = {"xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
     for names in (("xy", "xz", "yz"), ("xy",), ("xz",), ("yz",), ("xy", "xz"), ("xy", "yz"),
                   ("xz", "yz")):  # fmt: skip
         if all(tensor[pairs[name]] != 0.0 for name in names):
-            mended = tensor.copy()
+            repaired = tensor.copy()
             for name in names:
                 row, column = pairs[name]
-                mended[row, column] = mended[column, row] = -tensor[row, column]
-            yield f"signs of I{', I'.join(names)}", mended
+                repaired[row, column] = repaired[column, row] = -tensor[row, column]
+            yield f"signs of I{', I'.join(names)}", repaired
 
 
 _ORDERS = {
@@ -210,33 +226,33 @@ _ORDERS = {
 }
 
 
-def _entry_order(scene: Scene, i: int) -> Iterator[Remedy]:
+def _entry_order(link_pair: LinkPair, i: int) -> Iterator[Repair]:
     """Six entries listed in one order and read in another."""
-    tensor = scene.bodies[i].tensor
+    tensor = link_pair.bodies[i].tensor
     for read, read_order in _ORDERS.items():
         listed = [tensor["xyz".index(name[0]), "xyz".index(name[1])] for name in read_order]
         for written, order in _ORDERS.items():
             if written != read:
-                mended = np.empty((3, 3))
+                repaired = np.empty((3, 3))
                 for name, value in zip(order, listed, strict=True):
                     row, column = ("xyz".index(axis) for axis in name)
-                    mended[row, column] = mended[column, row] = value
-                yield f"listed {written}, read {read}", mended
+                    repaired[row, column] = repaired[column, row] = value
+                yield f"listed {written}, read {read}", repaired
 
 
-def _three_r_squared(scene: Scene, i: int) -> Iterator[Remedy]:
+def _three_r_squared(link_pair: LinkPair, i: int) -> Iterator[Repair]:
     # (3r)² for 3r² adds m (9 − 3) r² / 12 = ½ m r² = I_axis to both moments across the axis.
-    tensor = scene.bodies[i].tensor
+    tensor = link_pair.bodies[i].tensor
     for axis in (2, 0, 1):
         across = np.delete(np.arange(3), axis)
-        mended = tensor.copy()
-        mended[across, across] -= tensor[axis, axis]
-        yield f"along {'xyz'[axis]}", mended
+        repaired = tensor.copy()
+        repaired[across, across] -= tensor[axis, axis]
+        yield f"along {'xyz'[axis]}", repaired
 
 
 def _cylinder(field: str, factors: tuple[float, ...]) -> Mistake:
-    def remedies(scene: Scene, i: int) -> Iterator[Remedy]:
-        body = scene.bodies[i]
+    def repairs(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+        body = link_pair.bodies[i]
         fitted = fit_cylinder(body.mass, body.tensor)
         if fitted is None:
             return
@@ -246,47 +262,47 @@ def _cylinder(field: str, factors: tuple[float, ...]) -> Mistake:
                 radius *= factor
             else:
                 length *= factor
-            mended = Cylinder(fitted.axis, radius, length)
-            yield words_of(factor), mended.tensor(body.mass)
+            repaired = Cylinder(fitted.axis, radius, length)
+            yield words_of(factor), repaired.tensor(body.mass)
 
     return Mistake(
         f"cylinder-{field}",
         "tensor",
         f"the cylinder's {field} is wrong by a factor",
         "compute the tensor from radius (not diameter) and length, in metres",
-        remedies,
+        repairs,
     )
 
 
-def _twelfth(scene: Scene, i: int) -> Iterator[Remedy]:
-    tensor = scene.bodies[i].tensor
+def _twelfth(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    tensor = link_pair.bodies[i].tensor
     for axis in (2, 0, 1):
         across = np.delete(np.arange(3), axis)
         for written in (0.083, 0.0833, 0.08333, 0.083333, 0.0833333):
-            mended = tensor.copy()
-            mended[across, across] *= 1.0 / (12.0 * written)
-            yield f"{written} for 1/12, along {'xyz'[axis]}", mended
+            repaired = tensor.copy()
+            repaired[across, across] *= 1.0 / (12.0 * written)
+            yield f"{written} for 1/12, along {'xyz'[axis]}", repaired
 
 
 # --- turn ----------------------------------------------------------------------------------------
 
 
-def _turned_back(scene: Scene, i: int) -> Iterator[Remedy]:
-    yield "turned the other way", scene.bodies[i].turn.T
+def _turned_back(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    yield "turned the other way", link_pair.bodies[i].rotation.T
 
 
-def _turn_dropped(scene: Scene, i: int) -> Iterator[Remedy]:
-    if np.abs(scene.bodies[i].turn - np.eye(3)).max() < 1e-12:
-        yield "not turned at all", scene.truth[i].turn
+def _turn_dropped(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    if np.abs(link_pair.bodies[i].rotation - np.eye(3)).max() < 1e-12:
+        yield "not turned at all", link_pair.truth[i].rotation
 
 
-def _degrees(scene: Scene, i: int) -> Iterator[Remedy]:
-    true = Transform(scene.truth[i].turn, np.zeros(3))
+def _degrees(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    true = Transform(link_pair.truth[i].rotation, np.zeros(3))
     angle = true.angle()
     if angle > 0.0:
-        wrong = _same_axis(scene.truth[i].turn, float(np.degrees(angle)))
-        if np.abs(wrong - scene.bodies[i].turn).max() < 1e-6:
-            yield f"{np.degrees(angle):.4g}° taken for radians", scene.truth[i].turn
+        wrong = _same_axis(link_pair.truth[i].rotation, float(np.degrees(angle)))
+        if np.abs(wrong - link_pair.bodies[i].rotation).max() < 1e-6:
+            yield f"{np.degrees(angle):.4g}° taken for radians", link_pair.truth[i].rotation
 
 
 def _same_axis(R: Array, angle: float) -> Array:
@@ -299,14 +315,14 @@ def _same_axis(R: Array, angle: float) -> Array:
     return Transform.rotation(vector / length, angle).R
 
 
-def _rounded_turn(scene: Scene, i: int) -> Iterator[Remedy]:
-    turn = scene.bodies[i].turn
-    snapped = np.rint(turn)
-    if not np.array_equal(turn, snapped) and np.abs(turn - snapped).max() < 1e-3:
-        yield f"{np.abs(turn - snapped).max():.1e} rad off a quarter turn", snapped
+def _rounded_turn(link_pair: LinkPair, i: int) -> Iterator[Repair]:
+    rotation = link_pair.bodies[i].rotation
+    snapped = np.rint(rotation)
+    if not np.array_equal(rotation, snapped) and np.abs(rotation - snapped).max() < 1e-3:
+        yield f"{np.abs(rotation - snapped).max():.1e} rad off a quarter turn", snapped
 
 
-CATALOGUE: tuple[Mistake, ...] = (
+MISTAKES: tuple[Mistake, ...] = (
     Mistake("body-dropped", "body", "the inertial of a body fixed to the link is left out",
             "add it to the link, or keep it on its own link", _child_dropped, alone=True),
     Mistake("body-twice", "body", "the inertial of a body fixed to the link is counted twice",
@@ -346,16 +362,16 @@ CATALOGUE: tuple[Mistake, ...] = (
     _scaled("tensor", "the tensor is in another unit, or a decimal point slipped",
             "write kg m²"),
     _exchanged("tensor"),
-    _signs("reach"),
-    _swapped_axes("reach"),
-    _scaled("reach", "the length is in another unit", "write metres"),
-    _exchanged("reach"),
-    Mistake("turn-sign", "turn", "the sign of the twist (α or rpy) is lost", "write the sign",
+    _signs("link_vector"),
+    _swapped_axes("link_vector"),
+    _scaled("link_vector", "the length is in another unit", "write metres"),
+    _exchanged("link_vector"),
+    Mistake("turn-sign", "rotation", "the sign of the twist (α or rpy) is lost", "write the sign",
             _turned_back),
-    Mistake("turn-dropped", "turn", "the twist (α or rpy) is left out", "write the angle",
+    Mistake("turn-dropped", "rotation", "the twist (α or rpy) is left out", "write the angle",
             _turn_dropped, alone=True),
-    Mistake("turn-degrees", "turn", "the twist (α or rpy) is in degrees", "write radians",
+    Mistake("turn-degrees", "rotation", "the twist (α or rpy) is in degrees", "write radians",
             _degrees, alone=True),
-    Mistake("turn-rounded", "turn", "the twist (α or rpy) is a rounded quarter turn",
+    Mistake("turn-rounded", "rotation", "the twist (α or rpy) is a rounded quarter turn",
             "write π/2 with all digits", _rounded_turn),
 )  # fmt: skip

@@ -8,17 +8,17 @@ from itertools import pairwise
 import numpy as np
 
 from ..._robot.transforms import Array
-from .mistake import Remedy
+from .mistake import Repair
 
-__all__ = ["DECADES", "axis_swaps", "decimal_slips", "digit_swaps", "sign_flips", "words_of"]
+__all__ = ["DECADES", "axis_swaps", "digit_swaps", "shifted_decimals", "sign_flips", "words_of"]
 
-#: Powers of ten by which units and decimal points slip; 1000 is kg for g, m for mm.
+#: Powers of ten by which units and decimal points mistake; 1000 is kg for g, m for mm.
 DECADES = (1e-3, 1e3, 1e-1, 1e1, 1e-2, 1e2, 1e-4, 1e4, 1e-6, 1e6)
 
 _AXES = "xyz"
 
 
-def sign_flips(v: Array) -> Iterator[Remedy]:
+def sign_flips(v: Array) -> Iterator[Repair]:
     """One component with its sign changed."""
     for k in range(3):
         if v[k] != 0.0:
@@ -33,7 +33,7 @@ def axis_swaps() -> Iterator[tuple[str, Array]]:
         yield f"xyz read as {''.join(_AXES[k] for k in order)}", np.eye(3)[list(order)]
 
 
-def digit_swaps(value: float) -> Iterator[Remedy]:
+def digit_swaps(value: float) -> Iterator[Repair]:
     """Two neighbouring digits of a printed number exchanged.
 
     Nobody prints more than eight digits; a number that has more was computed.
@@ -46,21 +46,21 @@ def digit_swaps(value: float) -> Iterator[Remedy]:
         if text[one] != text[other]:
             swapped = list(text)
             swapped[one], swapped[other] = swapped[other], swapped[one]
-            mended = "".join(swapped)
-            yield f"{mended} for {text}", float(np.copysign(float(mended), value))
+            repaired = "".join(swapped)
+            yield f"{repaired} for {text}", float(np.copysign(float(repaired), value))
 
 
-def decimal_slips(v: Array) -> Iterator[Remedy]:
+def shifted_decimals(v: Array) -> Iterator[Repair]:
     """One component with its decimal point moved."""
     for k in range(3):
         if v[k] != 0.0:
             for factor in DECADES:
-                slipped = v.copy()
-                slipped[k] = factor * v[k]
-                yield f"{_AXES[k]} {words_of(factor)}", slipped
+                shifted = v.copy()
+                shifted[k] = factor * v[k]
+                yield f"{_AXES[k]} {words_of(factor)}", shifted
 
 
 def words_of(factor: float) -> str:
-    """A mending factor as what went wrong: 1e-3 mends what is a thousand times too large."""
+    """A repairing factor as what went wrong: 1e-3 repairs what is a thousand times too large."""
     ratio = 1.0 / factor if factor < 1.0 else factor
     return f"{ratio:g} times too {'large' if factor < 1.0 else 'small'}"

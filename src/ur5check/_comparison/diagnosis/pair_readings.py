@@ -19,11 +19,11 @@ from ..._robot.transforms import Array
 from ..alignment import SAME_ANGLE, SAME_LENGTH
 from ..arm_pair import Pair, Side, pair_as_written, pair_up
 from .dh_convention import read_by_the_other_rule
-from .link_numbers import Body, Scene
+from .link_numbers import Body, LinkPair
 from .mistake_search import (
     DIGITS,
-    Suspicion,
-    Verdict,
+    Candidate,
+    Mismatch,
     disagreements,
     explanations,
     stands_out,
@@ -46,19 +46,19 @@ class Explained:
     side : whose mistake it is taken to be;  either : nothing says which of the two
     body : the link as that side has it
     equals : other mistakes that explain it as well, their ids joined by " + "
-    in_b : how mending b would do it, if it would
+    in_b : how repairing b would do it, if it would
     """
 
     side: Side
     either: bool
-    verdict: Verdict
+    candidate: Candidate
     body: Body
     equals: tuple[str, ...]
-    in_b: Verdict | None
+    in_b: Candidate | None
 
     @property
     def kind(self) -> Kind:
-        return self.side, self.verdict.ids
+        return self.side, self.candidate.ids
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +72,7 @@ class Reading:
     pair: Pair
     rule: Side | None
     explained: tuple[Explained, ...]
-    unexplained: tuple[Suspicion, ...]
+    unexplained: tuple[Mismatch, ...]
     noise: float
 
     @property
@@ -84,7 +84,7 @@ class Reading:
     @property
     def unaccounted(self) -> int:
         """How many unexplained numbers stand out from the noise."""
-        return sum(stands_out(suspicion, self.noise) for suspicion in self.unexplained)
+        return sum(stands_out(mismatch, self.noise) for mismatch in self.unexplained)
 
     @property
     def cost(self) -> tuple[int, int]:
@@ -97,14 +97,14 @@ class Reading:
         kinds = {explained.kind for explained in self.explained}
         degrees = np.degrees(alignment.offsets)
         odd = self.moved & (np.abs(degrees - np.rint(degrees)) > 1e-6)
-        believed = len(kinds) + len(self.explained) + int(self.moved.sum()) + 2 * int(odd.sum())
-        believed += int(alignment.T_ab.angle() > SAME_ANGLE) + (self.rule is not None)
-        return self.unaccounted, believed
+        imported_arm = len(kinds) + len(self.explained) + int(self.moved.sum()) + 2 * int(odd.sum())
+        imported_arm += int(alignment.T_ab.angle() > SAME_ANGLE) + (self.rule is not None)
+        return self.unaccounted, imported_arm
 
     @property
     def ids(self) -> tuple[str, ...]:
         """The mistakes that this reading believes in, whole-arm ones aside."""
-        return tuple(dict.fromkeys(" + ".join(e.verdict.ids) for e in self.explained))
+        return tuple(dict.fromkeys(" + ".join(e.candidate.ids) for e in self.explained))
 
 
 def best_reading(pair: Pair) -> tuple[Reading, tuple[str, ...]]:
@@ -131,89 +131,91 @@ def best_reading(pair: Pair) -> tuple[Reading, tuple[str, ...]]:
 
 
 def _read(pair: Pair, rule: Side | None = None) -> Reading:
-    scenes: dict[Side, Scene] = {"b": Scene.of(pair, "b"), "a": Scene.of(pair, "a")}
-    suspicions = disagreements(scenes["b"], geometry=pair.number_by_number)
-    noise = usual_gap(suspicions)
+    link_pairs: dict[Side, LinkPair] = {"b": LinkPair.of(pair, "b"), "a": LinkPair.of(pair, "a")}
+    mismatches = disagreements(link_pairs["b"], geometry=pair.number_by_number)
+    noise = usual_gap(mismatches)
     candidates = []
     unexplained = _geometry_without_numbers(pair)
-    for suspicion in _whole_bodies_first(suspicions, scenes):
-        options = _options(scenes, suspicion, noise) if suspicion.gap > _SAME else []
+    for mismatch in _whole_bodies_first(mismatches, link_pairs):
+        options = _options(link_pairs, mismatch, noise) if mismatch.gap > _SAME else []
         if options:
             candidates.append(options)
-        elif suspicion.gap > DIGITS:
-            unexplained.append(suspicion)
+        elif mismatch.gap > DIGITS:
+            unexplained.append(mismatch)
     return Reading(pair, rule, tuple(_fewest_kinds(candidates)), tuple(unexplained), noise)
 
 
-def _geometry_without_numbers(pair: Pair) -> list[Suspicion]:
+def _geometry_without_numbers(pair: Pair) -> list[Mismatch]:
     """Axes that do not coincide, where the sources' lengths cannot be held against each other."""
     alignment = pair.alignment
     if alignment.exact or pair.number_by_number:
         return []
     apart = np.maximum(alignment.axis_angle / SAME_ANGLE, alignment.axis_distance / SAME_LENGTH)
-    return [Suspicion(int(i), "reach", 1.0) for i in np.flatnonzero(apart > 1.0)]
+    return [Mismatch(int(i), "link_vector", 1.0) for i in np.flatnonzero(apart > 1.0)]
 
 
 def _whole_bodies_first(
-    suspicions: Sequence[Suspicion], scenes: dict[Side, Scene]
-) -> Iterable[Suspicion]:
+    mismatches: Sequence[Mismatch], link_pairs: dict[Side, LinkPair]
+) -> Iterable[Mismatch]:
     """One suspicion for a whole body where one mistake explains all its numbers at once."""
     covered = set()
-    for mass in suspicions:
+    for mass in mismatches:
         if mass.quantity == "mass" and mass.gap > DIGITS:
-            whole = Suspicion(mass.link, "body", mass.gap)
-            if _options(scenes, whole, 0.0):
+            whole = Mismatch(mass.link, "body", mass.gap)
+            if _options(link_pairs, whole, 0.0):
                 covered.add(mass.link)
                 yield whole
-    for suspicion in suspicions:
-        if suspicion.link not in covered or suspicion.quantity in ("reach", "turn"):
-            yield suspicion
+    for mismatch in mismatches:
+        if mismatch.link not in covered or mismatch.quantity in ("link_vector", "rotation"):
+            yield mismatch
 
 
-def _options(scenes: dict[Side, Scene], suspicion: Suspicion, noise: float) -> list[Explained]:
+def _options(link_pairs: dict[Side, LinkPair], mismatch: Mismatch, noise: float) -> list[Explained]:
     """Everything that explains one number, b's mistakes first."""
-    found = {side: explanations(scene, suspicion, noise) for side, scene in scenes.items()}
+    found = {
+        side: explanations(link_pair, mismatch, noise) for side, link_pair in link_pairs.items()
+    }
     fewest = min((len(v.mistakes) for vs in found.values() for v in vs), default=0)
     simple = {side: [v for v in vs if len(v.mistakes) == fewest] for side, vs in found.items()}
     # A value taken from the other side explains only what nothing else does.
     if any(not _last_resort(v) for vs in simple.values() for v in vs):
         simple = {side: [v for v in vs if not _last_resort(v)] for side, vs in simple.items()}
-    in_b = {verdict.ids: verdict for verdict in simple["b"]}
-    tied = in_b.keys() & {verdict.ids for verdict in simple["a"]}
-    likelier = _less_plausible(scenes, suspicion)
+    in_b = {candidate.ids: candidate for candidate in simple["b"]}
+    tied = in_b.keys() & {candidate.ids for candidate in simple["a"]}
+    likelier = _less_plausible(link_pairs, mismatch)
     options = []
-    for side, verdicts in simple.items():
-        for verdict in verdicts:
-            if verdict.ids in tied and likelier not in (None, side):
+    for side, candidates in simple.items():
+        for candidate in candidates:
+            if candidate.ids in tied and likelier not in (None, side):
                 continue
-            equals = dict.fromkeys(" + ".join(v.ids) for v in verdicts if v.ids != verdict.ids)
+            equals = dict.fromkeys(" + ".join(v.ids) for v in candidates if v.ids != candidate.ids)
             options.append(
                 Explained(
                     side,
-                    verdict.ids in tied and likelier is None,
-                    verdict,
-                    scenes[side].bodies[suspicion.link],
+                    candidate.ids in tied and likelier is None,
+                    candidate,
+                    link_pairs[side].bodies[mismatch.link],
                     tuple(equals),
-                    in_b.get(verdict.ids),
+                    in_b.get(candidate.ids),
                 )
             )
     return options
 
 
-def _last_resort(verdict: Verdict) -> bool:
-    return verdict.ids == ("centre-of-shape",)
+def _last_resort(candidate: Candidate) -> bool:
+    return candidate.ids == ("centre-of-shape",)
 
 
-def _less_plausible(scenes: dict[Side, Scene], suspicion: Suspicion) -> Side | None:
-    """The side whose number no link could well have, where mending either would do.
+def _less_plausible(link_pairs: dict[Side, LinkPair], mismatch: Mismatch) -> Side | None:
+    """The side whose number no link could well have, where repairing either would do.
 
     A tensor that asks for mass further out than the link is long (or 10 cm); a centre of mass that
     lies off the link by half its length (or 10 cm).
     """
-    body_a, body_b = (scenes[side].bodies[suspicion.link] for side in ("a", "b"))
-    if suspicion.quantity == "tensor":
+    body_a, body_b = (link_pairs[side].bodies[mismatch.link] for side in ("a", "b"))
+    if mismatch.quantity == "tensor":
         odd_a, odd_b = (_gyration(b) > max(0.1, _length(b)) for b in (body_a, body_b))
-    elif suspicion.quantity in ("centre", "reach"):
+    elif mismatch.quantity in ("centre", "link_vector"):
         odd_a, odd_b = (b.centre_off_link() > max(0.1, 0.5 * _length(b)) for b in (body_a, body_b))
     else:
         return None
@@ -227,15 +229,15 @@ def _gyration(body: Body) -> float:
 
 
 def _length(body: Body) -> float:
-    return float(np.linalg.norm(body.reach))
+    return float(np.linalg.norm(body.link_vector))
 
 
 def _fewest_kinds(candidates: list[list[Explained]]) -> list[Explained]:
     """One explanation a number, chosen so that few kinds of mistake explain many numbers.
 
-    Greedy: the kind that explains most numbers takes them all; ties go to the earlier in the
-    catalogue, and to side b.  A number that either side's mending explains follows those whose side
-    is known.
+    Greedy: the kind that explains most numbers takes them all; ties go to the earlier in the list
+    of mistakes, and to side b.  A number that either side's repairing explains follows those whose
+    side is known.
     """
     chosen: list[Explained] = []
     left = list(candidates)

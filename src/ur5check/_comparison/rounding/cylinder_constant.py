@@ -2,7 +2,7 @@
 
 A cylinder of mass m, radius r and length l has I_axial = m r²/2 and I_transverse = m (3r² + l²)/12.
 A program that writes 0.0833333 for 1/12 gives itself away: with its constant, r and l come out as
-the round numbers that somebody typed; with 1/12, l does not.  The slip (3r)² for 3r² is allowed
+the round numbers that somebody typed; with 1/12, l does not.  The mistake (3r)² for 3r² is allowed
 for, since it hides nothing of this.
 """
 
@@ -88,7 +88,7 @@ def _fit(m: float, axial: float, t: float) -> tuple[str, float, float] | None:
     radius = _round_length(r, doubt / (m * r))
     if radius is None:
         return None
-    for factor in (3.0, 9.0):  # 3 r², and the slip (3 r)²
+    for factor in (3.0, 9.0):  # 3 r², and the mistake (3 r)²
         if _length(m, radius, t, doubt, factor, 1.0 / 12.0) is not None:
             return None
         for text, constant in _CONSTANTS:

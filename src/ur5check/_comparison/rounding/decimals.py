@@ -16,7 +16,7 @@ __all__ = ["MOST_DIGITS", "Writing", "decimals_of", "half_units", "written_as"]
 MOST_DIGITS = 9
 
 # Moving a number to another frame and back leaves this much dust, relative and absolute.
-_RELATIVE_DUST, _ABSOLUTE_DUST = 1e-13, 1e-15
+_RELATIVE_ZERO_TOLERANCE, _ABSOLUTE_ZERO_TOLERANCE = 1e-13, 1e-15
 
 
 @dataclass(frozen=True)
@@ -54,12 +54,12 @@ def decimals_of(value: float, most: int = MOST_DIGITS) -> int | None:
 
     None for zero, and for a number of more than `most` significant digits.
     """
-    dust = max(_ABSOLUTE_DUST, _RELATIVE_DUST * abs(value))
-    if abs(value) <= dust:
+    zero_tolerance = max(_ABSOLUTE_ZERO_TOLERANCE, _RELATIVE_ZERO_TOLERANCE * abs(value))
+    if abs(value) <= zero_tolerance:
         return None
     leading = floor(log10(abs(value)))  # place of the first significant digit
     for decimals in range(max(0, most - leading)):
-        if abs(round(value, decimals) - value) <= dust:
+        if abs(round(value, decimals) - value) <= zero_tolerance:
             return decimals
     return None
 
@@ -79,8 +79,8 @@ def half_units(values: Sequence[float], beside: Sequence[float] = ()) -> list[fl
         decimals = decimals_of(value)
         if decimals is not None:
             places.append(decimals)
-        elif abs(value) > _ABSOLUTE_DUST:
+        elif abs(value) > _ABSOLUTE_ZERO_TOLERANCE:
             return [0.0] * len(values)
     places += [d for value in beside if (d := decimals_of(value)) is not None]
     half = 0.5 * 10.0 ** -max(places, default=0)
-    return [half if abs(value) > _ABSOLUTE_DUST else 0.0 for value in values]
+    return [half if abs(value) > _ABSOLUTE_ZERO_TOLERANCE else 0.0 for value in values]

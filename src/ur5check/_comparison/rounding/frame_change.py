@@ -1,6 +1,7 @@
-"""Changing a link's far end without moving its body: which of its numbers were written, and where.
+"""Changing a link's tip frame without moving its body: which of its numbers were written, and
+where.
 
-A link's far end P_i also carries frame i, in which its inertia is held.  A DH table writes the
+A link's tip frame P_i also carries frame i, in which its inertia is held.  A DH table writes the
 inertia in frame i, so it goes along when P_i changes.  A URDF writes it at the joint, so the body
 stays, and its numbers in frame i change.  In the same way a listing may write the vector r_{i−1,i}
 in frame i, where a DH row or a URDF writes p in the frame before P_i's rotation.
@@ -16,21 +17,23 @@ from ..._robot.serial_arm import Link, SerialArm
 from ..._robot.transforms import Array, Transform
 from .decimals import decimals_of
 
-__all__ = ["arm_with_link", "reach_is_written_at_far_end", "with_far_end"]
+__all__ = ["arm_with_link", "link_vector_is_written_at_link_tip", "with_link_tip_frame"]
 
 
-def with_far_end(link: Link, far_end: Transform) -> Link:
+def with_link_tip_frame(link: Link, link_tip_frame: Transform) -> Link:
     """The link with another P_i, its inertia kept where the source wrote it."""
     T = link.source_frame
     if not (T.R - np.eye(3)).any() and not T.p.any():
-        return replace(link, far_end=far_end)
-    change = far_end.inverse() @ link.far_end  # from the old frame i to the new one
-    return Link(link.name, far_end, link.inertia.expressed_in(change), change @ T)
+        return replace(link, link_tip_frame=link_tip_frame)
+    change = link_tip_frame.inverse() @ link.link_tip_frame  # from the old frame i to the new one
+    return Link(link.name, link_tip_frame, link.inertia.expressed_in(change), change @ T)
 
 
-def reach_is_written_at_far_end(link: Link) -> bool:
+def link_vector_is_written_at_link_tip(link: Link) -> bool:
     """Whether the translation of P_i was written in frame i, as a listing's r, not before it."""
-    return _is_written(link.far_end.R.T @ link.far_end.p) and not _is_written(link.far_end.p)
+    return _is_written(link.link_tip_frame.R.T @ link.link_tip_frame.p) and not _is_written(
+        link.link_tip_frame.p
+    )
 
 
 def arm_with_link(arm: SerialArm, i: int, link: Link) -> SerialArm:

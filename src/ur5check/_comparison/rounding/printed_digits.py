@@ -20,7 +20,7 @@ from ..._robot.inertia import Inertia, parameter_map
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
 from .decimals import half_units
-from .frame_change import arm_with_link, reach_is_written_at_far_end, with_far_end
+from .frame_change import arm_with_link, link_vector_is_written_at_link_tip, with_link_tip_frame
 
 __all__ = [
     "Mask",
@@ -77,13 +77,13 @@ def printed_numbers(arm: SerialArm) -> PrintedNumbers:
         body = link.inertia.expressed_in(link.source_frame.inverse())
         entries = [body.tensor[entry] for entry in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
         bodies.append([body.mass, *body.com, *entries])
-        P = link.far_end
-        lengths.append(P.R.T @ P.p if reach_is_written_at_far_end(link) else P.p)
-    numbers, reach = np.array(bodies, dtype=np.float64), np.array(lengths)
+        P = link.link_tip_frame
+        lengths.append(P.R.T @ P.p if link_vector_is_written_at_link_tip(link) else P.p)
+    numbers, link_vector = np.array(bodies, dtype=np.float64), np.array(lengths)
     mass, com, tensor = numbers[:, :1], numbers[:, 1:4], numbers[:, 4:]
-    metres = np.concatenate([arm.base.p, reach.ravel(), com.ravel()])
+    metres = np.concatenate([arm.base.p, link_vector.ravel(), com.ravel()])
     halves = np.concatenate([_halves(mass), _halves(com, metres), _halves(tensor)], axis=1)
-    return PrintedNumbers(numbers, halves, reach, _halves(reach, metres))
+    return PrintedNumbers(numbers, halves, link_vector, _halves(link_vector, metres))
 
 
 def torque_of_inertial_digits(arm: SerialArm, numbers: PrintedNumbers, Y: Array) -> Array:
@@ -109,10 +109,12 @@ def torque_of_lengths(
     before = torque(arm)
     parts = []
     for i, link in enumerate(arm.links):
-        turn = link.far_end.R if reach_is_written_at_far_end(link) else np.eye(3)
+        rotation = link.link_tip_frame.R if link_vector_is_written_at_link_tip(link) else np.eye(3)
         for k in np.flatnonzero(numbers.length_halves[i]):
-            shift = turn[:, k] * numbers.length_halves[i, k]
-            moved = with_far_end(link, Transform(link.far_end.R, link.far_end.p + shift))
+            shift = rotation[:, k] * numbers.length_halves[i, k]
+            moved = with_link_tip_frame(
+                link, Transform(link.link_tip_frame.R, link.link_tip_frame.p + shift)
+            )
             parts.append(torque(arm_with_link(arm, i, moved)) - before)
     return np.array(parts).reshape(-1, *before.shape)
 

@@ -10,14 +10,14 @@ import numpy as np
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
 from .decimals import Writing, written_as
-from .frame_change import arm_with_link, reach_is_written_at_far_end, with_far_end
+from .frame_change import arm_with_link, link_vector_is_written_at_link_tip, with_link_tip_frame
 
 __all__ = ["NEARLY", "RoundedAngle", "rounded_angles", "with_exact_angles"]
 
 #: How far [rad] a rotation may lie from a quarter turn and still be one: 1.57 is 8e-4 off.
 NEARLY = 1e-3
 
-_DUST = 2e-15  # of a product of three rotations [rad]
+_ZERO_TOLERANCE = 2e-15  # of a product of three rotations [rad]
 _CONSTANTS = (("π/2", pi / 2), ("π", pi), ("3π/2", 1.5 * pi), ("2π", 2 * pi))
 
 
@@ -47,7 +47,7 @@ def rounded_angles(arm: SerialArm) -> tuple[RoundedAngle, ...]:
     must be what rounding or cutting off leaves, to the last digit, about each axis.  A rounded
     quarter turn hidden in a product with another angle is not looked for.
     """
-    transforms = [arm.base, *(link.far_end for link in arm.links)]
+    transforms = [arm.base, *(link.link_tip_frame for link in arm.links)]
     found = (_rounded(place, T.R) for place, T in enumerate(transforms))
     return tuple(angle for angle in found if angle is not None)
 
@@ -59,10 +59,12 @@ def with_exact_angles(arm: SerialArm, angles: tuple[RoundedAngle, ...]) -> Seria
             arm = replace(arm, base=Transform(angle.exact, arm.base.p))
             continue
         link = arm.links[angle.place - 1]
-        p = link.far_end.p
-        if reach_is_written_at_far_end(link):
-            p = angle.exact @ (link.far_end.R.T @ p)
-        arm = arm_with_link(arm, angle.place - 1, with_far_end(link, Transform(angle.exact, p)))
+        p = link.link_tip_frame.p
+        if link_vector_is_written_at_link_tip(link):
+            p = angle.exact @ (link.link_tip_frame.R.T @ p)
+        arm = arm_with_link(
+            arm, angle.place - 1, with_link_tip_frame(link, Transform(angle.exact, p))
+        )
     return arm
 
 
@@ -70,10 +72,14 @@ def _rounded(place: int, R: Array) -> RoundedAngle | None:
     exact = np.rint(R) + 0.0  # no −0
     if np.abs(R - exact).max() > NEARLY or not np.array_equal(exact @ exact.T, np.eye(3)):
         return None
-    turn = np.abs(_rotation_vector(exact.T @ R))
+    rotation = np.abs(_rotation_vector(exact.T @ R))
     # Turns about several axes are known to second order only.
-    tolerance = _DUST if (turn > _DUST).sum() < 2 else max(_DUST, 2.0 * float(turn.max()) ** 2)
-    writings = [_written(float(angle), tolerance) for angle in turn if angle > tolerance]
+    tolerance = (
+        _ZERO_TOLERANCE
+        if (rotation > _ZERO_TOLERANCE).sum() < 2
+        else max(_ZERO_TOLERANCE, 2.0 * float(rotation.max()) ** 2)
+    )
+    writings = [_written(float(angle), tolerance) for angle in rotation if angle > tolerance]
     if not writings or None in writings:
         return None
     coarsest = min((w for w in writings if w is not None), key=lambda found: found[1].decimals)

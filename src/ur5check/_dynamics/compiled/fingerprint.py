@@ -28,7 +28,7 @@ def fingerprint(arms: Iterable[SerialArm], *words: str) -> str:
         for joint, link in zip(arm.joints, arm.links, strict=True):
             digest.update(joint.kind.encode())
             digest.update(np.ascontiguousarray(joint.axis).tobytes())
-            digest.update(np.ascontiguousarray(link.far_end.matrix()).tobytes())
+            digest.update(np.ascontiguousarray(link.link_tip_frame.matrix()).tobytes())
     return digest.hexdigest()[:32]
 
 

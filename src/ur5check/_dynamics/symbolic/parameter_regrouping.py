@@ -26,7 +26,7 @@ from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
 from ..chain_constants import Chain, chain_of
 from ..vectors import ZERO, Matrix, Vector
-from .target_values import Unseen, Wish
+from .target_values import TargetValue, Unseen
 
 __all__ = ["moments_chain", "regroupings", "slid"]
 
@@ -34,14 +34,14 @@ _PARALLEL = 1e-9  # sine of an angle between axes; rounded angles are finer
 
 #: Regrouped numbers may make this many times the torque alone that the arm's own do; what is more
 #: must cancel, and takes more than two digits along.
-_LOUDER = 100.0
+_CANCELLATION = 100.0
 
 #: What rounding may change of the torques, as a part of what the parameters make alone: ε, summed
-#: over some hundred terms that are louder by `_LOUDER`.
+#: over some hundred terms that are louder by `_CANCELLATION`.
 _CHANGED = 1e-12
 
 #: What we wish of a link, in an order that does well: moments, first moments, mass, products.
-_WISHES = (
+_TARGET_VALUES = (
     ("Ixx",), ("Iyy",), ("Izz",), ("mx",), ("my",), ("mz",), ("m",), ("Ixy",), ("Ixz",), ("Iyz",),
     ("Ixx", "Iyy"), ("Iyy", "Izz"), ("Ixx", "Izz"),
 )  # fmt: skip
@@ -71,21 +71,25 @@ def regroupings(
     unseen = Unseen(arm, None if less is None else slid(less))
     directions = unseen.null_space.shape[1]
     rng = random.Random(seed)  # noqa: S311 - a search, no secret
-    best = [Wish(link, *names) for link in reversed(range(arm.n)) for names in _WISHES]
-    loud = _LOUDER * unseen.loudness(unseen.pi)
+    best = [
+        TargetValue(link, *names) for link in reversed(range(arm.n)) for names in _TARGET_VALUES
+    ]
+    cancelling = _CANCELLATION * unseen.cancellation_bound(unseen.pi)
     for attempt in range(1 + tries if directions else 0):
-        wishes = list(best)
+        target_values = list(best)
         if attempt > 0:
-            wishes.insert(rng.randrange(directions), wishes.pop(rng.randrange(len(wishes))))
-        pi = unseen.parameters(wishes)
-        if unseen.loudness(pi) > loud or unseen.change(pi) > _CHANGED:
+            target_values.insert(
+                rng.randrange(directions), target_values.pop(rng.randrange(len(target_values)))
+            )
+        pi = unseen.parameters(target_values)
+        if unseen.cancellation_bound(pi) > cancelling or unseen.change(pi) > _CHANGED:
             continue
         chain = moments_chain(arm, pi)
         operations = cost(chain)
         if operations < fewest:
             found.append(chain)
         if operations <= fewest:  # sideways, too: plateaus are wide
-            fewest, best = operations, wishes
+            fewest, best = operations, target_values
     return found
 
 
@@ -109,11 +113,11 @@ def slid(arm: SerialArm) -> SerialArm:
     the arm could reach.
     """
     links = list(arm.links)
-    reach = sum(float(np.linalg.norm(link.far_end.p)) for link in links)
+    reach = sum(float(np.linalg.norm(link.link_tip_frame.p)) for link in links)
     for i, (joint, following) in enumerate(zip(arm.joints, arm.joints[1:], strict=False)):
         if "prismatic" in (joint.kind, following.kind):
             continue  # a slide has no axis in space, only a direction
-        P = links[i].far_end
+        P = links[i].link_tip_frame
         u, v = joint.axis, P.R @ following.axis
         along = -float(P.p @ v)
         if np.linalg.norm(np.cross(u, v)) > _PARALLEL:
@@ -122,6 +126,6 @@ def slid(arm: SerialArm) -> SerialArm:
         slide = Transform.translation(following.axis * along)
         back = slide.inverse()
         moved = links[i].inertia.expressed_in(back)
-        links[i] = replace(links[i], far_end=P @ slide, inertia=moved)
-        links[i + 1] = replace(links[i + 1], far_end=back @ links[i + 1].far_end)
+        links[i] = replace(links[i], link_tip_frame=P @ slide, inertia=moved)
+        links[i + 1] = replace(links[i + 1], link_tip_frame=back @ links[i + 1].link_tip_frame)
     return replace(arm, links=tuple(links))

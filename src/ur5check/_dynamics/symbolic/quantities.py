@@ -25,13 +25,14 @@ Quantity = Literal["tau", "M", "C", "g", "bias", "regressor"]
 class Asked:
     """What a recipe works with: an arm's chain, a symbolic state, and gravity g_0.
 
-    Gravity may come as `gravity`, which every link then hears of, or as `lift` −g_0 of the base.
+    Gravity may come as `gravity`, which every link then hears of, or as `base_acceleration` −g_0 of
+    the base.
     """
 
     chain: Chain
     state: JointState
     gravity: Vector
-    lift: Vector
+    base_acceleration: Vector
 
     @property
     def still(self) -> list[Scalar]:
@@ -59,16 +60,16 @@ def symbolic_state(graph: Graph, n: int) -> JointState:
 
 
 def _tau(asked: Asked) -> list[Scalar]:
-    return joint_torques(asked.chain, asked.state, asked.gravity, asked.lift)
+    return joint_torques(asked.chain, asked.state, asked.gravity, asked.base_acceleration)
 
 
 def _bias(asked: Asked) -> list[Scalar]:
     state = asked.state.with_motion(asked.state.qd, asked.still)
-    return joint_torques(asked.chain, state, asked.gravity, asked.lift)
+    return joint_torques(asked.chain, state, asked.gravity, asked.base_acceleration)
 
 
 def _gravity(asked: Asked) -> list[Scalar]:
-    return joint_torques(asked.chain, asked.state.resting(), asked.gravity, asked.lift)
+    return joint_torques(asked.chain, asked.state.resting(), asked.gravity, asked.base_acceleration)
 
 
 def _mass(asked: Asked) -> list[Scalar]:
@@ -90,7 +91,9 @@ def _coriolis(asked: Asked) -> list[Scalar]:
 
 
 def _regressor(asked: Asked) -> list[Scalar]:
-    return regressor_rows(asked.chain, outward(asked.chain, asked.state, asked.gravity, asked.lift))
+    return regressor_rows(
+        asked.chain, outward(asked.chain, asked.state, asked.gravity, asked.base_acceleration)
+    )
 
 
 QUANTITIES: dict[Quantity, Recipe] = {

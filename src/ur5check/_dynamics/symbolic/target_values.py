@@ -23,7 +23,7 @@ from ..._robot.states import random_states
 from ..._robot.transforms import Array
 from ..regressor import torque_regressor
 
-__all__ = ["Unseen", "Wish"]
+__all__ = ["TargetValue", "Unseen"]
 
 _EPS = float(np.finfo(np.float64).eps)
 
@@ -35,11 +35,11 @@ _ROUNDING = _EPS
 _AMPLIFIED = 1e3
 
 #: Torque that a parameter must make, of the whole, to be more than the rounding of a zero.
-_DUST = 64 * _EPS
+_ZERO_TOLERANCE = 64 * _EPS
 
 
 @dataclass(frozen=True)
-class Wish:
+class TargetValue:
     """That a link's parameter be zero, or equal to another of its parameters."""
 
     link: int
@@ -87,29 +87,29 @@ class Unseen:
         _, s, Vt = np.linalg.svd(self.triangle)
         return np.asarray(Vt[s <= len(s) * _ROUNDING * s[0]].T)
 
-    def loudness(self, pi: Array) -> float:
+    def cancellation_bound(self, pi: Array) -> float:
         """Σ of the torques that each parameter makes alone: what rounding is a part of."""
         return float(np.linalg.norm(self.triangle, axis=0) @ np.abs(pi))
 
     def change(self, pi: Array) -> float:
         """How far torques with parameters π' are from those of π, as a part of its loudness."""
         change = float(np.linalg.norm(self.triangle @ (pi - self.pi)))
-        return change / (self.loudness(self.pi) or 1.0)
+        return change / (self.cancellation_bound(self.pi) or 1.0)
 
-    def granted(self, wishes: Sequence[Wish]) -> list[Wish]:
+    def feasible(self, target_values: Sequence[TargetValue]) -> list[TargetValue]:
         """The first wishes that can all be granted, at most one a direction.
 
         Rows of the null space, made orthogonal one by one: rows = L · spanned.  L⁻¹ says how far
         directions must go to fulfil the wishes, however many nearly depend on each other: along a
         chain, small remainders multiply.
         """
-        granted: list[Wish] = []
+        feasible: list[TargetValue] = []
         spanned = np.zeros((0, self.null_space.shape[1]))
         inverse = np.zeros((0, 0))  # of L
-        for wish in wishes:
+        for target_value in target_values:
             if len(spanned) == spanned.shape[1]:
                 break
-            first, *second = (self.null_space[place] for place in wish.places)
+            first, *second = (self.null_space[place] for place in target_value.places)
             rest = first - second[0] if second else first
             along = np.zeros(len(spanned))
             for _ in range(2):  # twice is enough (Kahan, Parlett) to stay orthogonal to rounding
@@ -122,25 +122,31 @@ class Unseen:
                 inverse = np.vstack(
                     [np.pad(inverse, ((0, 0), (0, 1))), farthest / size],
                 )
-                granted.append(wish)
-        return granted
+                feasible.append(target_value)
+        return feasible
 
-    def parameters(self, wishes: Sequence[Wish]) -> Array:
+    def parameters(self, target_values: Sequence[TargetValue]) -> Array:
         """π', shape (10 n,): the same torques, and the wishes that can be granted."""
-        E = _spelled_out(self.granted(wishes), len(self.pi))
+        E = _spelled_out(self.feasible(target_values), len(self.pi))
         torque, columns = self.triangle @ self.pi, self.triangle @ E
         z = np.linalg.lstsq(columns, torque, rcond=None)[0]
-        z[np.abs(z) * np.linalg.norm(columns, axis=0) < _DUST * np.linalg.norm(torque)] = 0.0
+        z[
+            np.abs(z) * np.linalg.norm(columns, axis=0) < _ZERO_TOLERANCE * np.linalg.norm(torque)
+        ] = 0.0
         return np.asarray(E @ z)
 
 
-def _spelled_out(wishes: Sequence[Wish], count: int) -> Array:
+def _spelled_out(target_values: Sequence[TargetValue], count: int) -> Array:
     """E, shape (count, remaining): a column for each parameter, or each group of equal ones."""
     group = list(range(count))
-    for wish in wishes:
-        if wish.equal_to is not None:
-            one, other = (group[place] for place in wish.places)
+    for target_value in target_values:
+        if target_value.equal_to is not None:
+            one, other = (group[place] for place in target_value.places)
             group = [one if member == other else member for member in group]
-    zero = {group[wish.places[0]] for wish in wishes if wish.equal_to is None}
+    zero = {
+        group[target_value.places[0]]
+        for target_value in target_values
+        if target_value.equal_to is None
+    }
     kept = sorted(set(group) - zero)
     return np.array([[float(member == column) for column in kept] for member in group])

@@ -96,7 +96,9 @@ def as_written(
     numeric = parameters == "numeric"
     chain = chain_of(arm) if numeric else symbols.chain(arm)
     gravity = Vector.of(arm.gravity) if numeric else symbols.gravity(arm)
-    asked = Asked(chain, symbolic_state(graph, arm.n), gravity=chain.base.T @ gravity, lift=ZERO)
+    asked = Asked(
+        chain, symbolic_state(graph, arm.n), gravity=chain.base.T @ gravity, base_acceleration=ZERO
+    )
     return graph.operations(_recipe(quantity).entries(asked))
 
 
@@ -137,8 +139,13 @@ def _recipe(quantity: Quantity) -> Recipe:
 
 
 def _entries(graph: Graph, chain: Chain, gravity: Vector, quantity: Quantity) -> list[Scalar]:
-    lift = (chain.base.T @ gravity) * -1.0
-    asked = Asked(chain, symbolic_state(graph, len(chain.links)), gravity=ZERO, lift=lift)
+    base_acceleration = (chain.base.T @ gravity) * -1.0
+    asked = Asked(
+        chain,
+        symbolic_state(graph, len(chain.links)),
+        gravity=ZERO,
+        base_acceleration=base_acceleration,
+    )
     return QUANTITIES[quantity].entries(asked)
 
 
@@ -152,7 +159,7 @@ def _move_alike(a: SerialArm, b: SerialArm) -> bool:
             for i, j in zip(a.joints, b.joints, strict=True)
         )
         and all(
-            np.array_equal(i.far_end.matrix(), j.far_end.matrix())
+            np.array_equal(i.link_tip_frame.matrix(), j.link_tip_frame.matrix())
             for i, j in zip(a.links, b.links, strict=True)
         )
     )

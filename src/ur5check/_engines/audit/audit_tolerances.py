@@ -25,7 +25,9 @@ _PER_JOINT = 64 * float(np.finfo(np.float64).eps)
 
 def reach(arm: SerialArm) -> float:
     """No point of the arm lies farther from its base, at q = 0 [m]; at least a metre."""
-    lengths = [np.linalg.norm(T.p) for T in (arm.base, *(link.far_end for link in arm.links))]
+    lengths = [
+        np.linalg.norm(T.p) for T in (arm.base, *(link.link_tip_frame for link in arm.links))
+    ]
     return max(1.0, float(np.sum(lengths)))
 
 

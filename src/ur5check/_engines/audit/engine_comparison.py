@@ -1,8 +1,8 @@
 """`ur5check.compare_engines`: do all engines mean the same robot?
 
 Every engine is given the same arm, by its own reader, and asked the same questions at the same
-states.  Where one has read it otherwise (its known habits say how) it is given the arm again with
-the remedies for those habits, and asked again.
+states.  Where one has read it otherwise (its known known issues say how) it is given the arm again
+with the fixes for those known issues, and asked again.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ..._io.loading import ArmSource, load
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States, random_states
 from ..._robot.transforms import Array
-from ..known_issues import remedied
+from ..known_issues import repaired
 from ..registry import REGISTRY, engine_class, installed
 from .agreement_matrix import Matrix, matrix_of
 from .engine_reading import Reading, asked, read_by
@@ -36,7 +36,7 @@ SAMPLES = 200
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """All engines with one text each: as read, or with their remedies.
+    """All engines with one text each: as read, or with their fixes.
 
     readings : one an engine, our own first;  matrix : of those that took the model
     """
@@ -71,7 +71,7 @@ class EngineReport:
     states : `samples` drawn from `seed`, and behind them the worst state of each engine that holds
         another arm
     as_read : every engine with the model as it is
-    mended : with the remedies for its habits; None where none was wanted
+    repaired : with the fixes for its known issues; None where none was wanted
     absent : keys of engines that are known and not installed
     """
 
@@ -81,18 +81,18 @@ class EngineReport:
     samples: int
     seed: int
     as_read: Stage
-    mended: Stage | None
+    repaired: Stage | None
     absent: tuple[str, ...]
 
     @property
     def final(self) -> Stage:
-        """The stage with remedies, if there is one."""
-        return self.as_read if self.mended is None else self.mended
+        """The stage with fixes, if there is one."""
+        return self.as_read if self.repaired is None else self.repaired
 
-    def stages(self) -> list[tuple[Literal["as read", "mended"], Stage]]:
+    def stages(self) -> list[tuple[Literal["as read", "repaired"], Stage]]:
         """Those there are, by name."""
-        both: list[tuple[Literal["as read", "mended"], Stage]] = [("as read", self.as_read)]
-        return both if self.mended is None else [*both, ("mended", self.mended)]
+        both: list[tuple[Literal["as read", "repaired"], Stage]] = [("as read", self.as_read)]
+        return both if self.repaired is None else [*both, ("repaired", self.repaired)]
 
     @property
     def explained(self) -> bool:
@@ -107,19 +107,19 @@ def compare_engines(
     samples: int = SAMPLES,
     seed: int = 0,
     gravity: ArrayLike | None = None,
-    remedies: bool = True,
+    repairs: bool = True,
     progress: Callable[[str], None] | None = None,
 ) -> EngineReport:
     """Give one arm to several engines and hold what they read, and what they answer, together.
 
     Parameters
     ----------
-    model : a catalogue name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    model : a list of mistakes name, a path, a `pin.Model` or a `SerialArm` (see `load`)
     engines : keys of `_engines.registry.REGISTRY`; all that are installed when None.  Our own
         recursion always takes part
     samples, seed : how many random states, drawn from which seed (see `random_states`)
     gravity : told to all, in the arm's base frame, shape (3,) [m/s²]; the arm's own when None
-    remedies : whether engines that hold another arm are asked again with their habits' remedies
+    fixes : whether engines that hold another arm are asked again with their known issues' fixes
     progress : called with a line before each longer step
 
     Raises
@@ -137,20 +137,20 @@ def compare_engines(
         say(f"{REGISTRY[key].title} reads {arm.name}")
         readings.append(read_by(key, arm, arm, g))
     worst = [
-        worst_state(arm.with_gravity(g), reading.imported.believed.with_gravity(g), seed)
+        worst_state(arm.with_gravity(g), reading.imported.imported_arm.with_gravity(g), seed)
         for reading in readings
         if reading.imported is not None and reading.imported.harmful
     ]
     states = join_states(drawn, *worst)
     say(f"asking them at {len(states):,} states")
     as_read = _stage(readings, states, arm, g)
-    mended = None
-    if remedies and any(r.harmful or r.refused for r in as_read.readings):
-        say("asking again with the remedies")
-        mended = _stage([_mended(r, arm, g) for r in as_read.readings], states, arm, g)
+    repaired = None
+    if repairs and any(r.harmful or r.refused for r in as_read.readings):
+        say("asking again with the fixes")
+        repaired = _stage([_repaired(r, arm, g) for r in as_read.readings], states, arm, g)
     here = installed()
     absent = tuple(key for key in REGISTRY if key not in here)
-    return EngineReport(arm, g, states, samples, seed, as_read, mended, absent)
+    return EngineReport(arm, g, states, samples, seed, as_read, repaired, absent)
 
 
 def engine_keys(named: Sequence[str] | None) -> tuple[str, ...]:
@@ -171,9 +171,9 @@ def _stage(readings: Sequence[Reading], states: States, arm: SerialArm, gravity:
     return Stage(answered, matrix_of([r.answers for r in answered if r.answers is not None]))
 
 
-def _mended(reading: Reading, arm: SerialArm, gravity: Array) -> Reading:
-    """The engine with the remedies for its habits, if it needs them and has any."""
-    given = remedied(arm, reading.key)
+def _repaired(reading: Reading, arm: SerialArm, gravity: Array) -> Reading:
+    """The engine with the fixes for its known issues, if it needs them and has any."""
+    given = repaired(arm, reading.key)
     if given is arm or not (reading.harmful or reading.refused):
         return reading
     return read_by(reading.key, given, arm, gravity)

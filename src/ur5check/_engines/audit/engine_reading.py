@@ -51,7 +51,7 @@ class Reading:
     @property
     def said(self) -> tuple[str, ...]:
         """Warnings of the engine's own while it read."""
-        return self.imported.holdings.said if self.imported else ()
+        return self.imported.imported_model.said if self.imported else ()
 
     @property
     def harmful(self) -> bool:
@@ -62,7 +62,7 @@ class Reading:
 
 
 def read_by(key: str, given: SerialArm, arm: SerialArm, gravity: Array) -> Reading:
-    """Give an engine `given` (the arm, or the arm with remedies), and audit it against `arm`.
+    """Give an engine `given` (the arm, or the arm with fixes), and audit it against `arm`.
 
     gravity : told to the engine, in the arm's base frame [m/s²]
 
@@ -71,7 +71,7 @@ def read_by(key: str, given: SerialArm, arm: SerialArm, gravity: Array) -> Readi
     engine_class(key)
     try:
         engine = make_engine(key, given, gravity)
-        imported = audit(engine.holdings(), arm, key)
+        imported = audit(engine.imported_model(), arm, key)
     except EngineError as error:
         return Reading(key, refused=str(error))
     return Reading(key, engine, imported)

@@ -33,7 +33,7 @@ def compare_fleet(
     engines: Sequence[str] | None = None,
     samples: int = FLEET_SAMPLES,
     seed: int = 0,
-    remedies: bool = True,
+    repairs: bool = True,
     arms: Sequence[FleetArm] | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> FleetReport:
@@ -45,7 +45,7 @@ def compare_fleet(
         say(f"{entry.name} ({number} of {len(arms)})")
         reports.append(
             compare_engines(
-                entry.load(), engines=engines, samples=samples, seed=seed, remedies=remedies
+                entry.load(), engines=engines, samples=samples, seed=seed, repairs=repairs
             )
         )
     return FleetReport(tuple(reports), samples, seed)

@@ -18,8 +18,8 @@ from ..._dynamics.regressor import torque_regressor
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
 from ..._robot.transforms import Array
-from ..imported_model import Holdings, believed_arm
-from ..known_issues import habit_for
+from ..imported_model import ImportedModel, imported_arm
+from ..known_issues import known_issue_for
 from .import_difference import Bearing, ImportDifference, Kind
 from .imported_bodies import body_differences
 from .imported_joints import frame_differences, joint_differences
@@ -36,8 +36,8 @@ class Import:
     """
 
     arm: SerialArm
-    holdings: Holdings
-    believed: SerialArm
+    imported_model: ImportedModel
+    imported_arm: SerialArm
     differences: tuple[ImportDifference, ...]
 
     @property
@@ -60,45 +60,48 @@ class Import:
         return sum(found.mass for found in self.differences)
 
 
-def audit(holdings: Holdings, arm: SerialArm, key: str = "") -> Import:
+def audit(imported_model: ImportedModel, arm: SerialArm, key: str = "") -> Import:
     """Name every difference between what an engine holds and what the arm's source says.
 
-    key : the engine's, whose known habits explain what they can
+    key : the engine's, whose known known issues explain what they can
     """
     found = [
-        *body_differences(holdings, arm),
-        *joint_differences(holdings, arm),
-        *frame_differences(holdings, arm),
+        *body_differences(imported_model, arm),
+        *joint_differences(imported_model, arm),
+        *frame_differences(imported_model, arm),
     ]
-    named = tuple(replace(one, habit=habit_for(key, one.kind)) for one in found)
-    return Import(arm, holdings, believed_arm(holdings, arm), named)
+    named = tuple(replace(one, known_issue=known_issue_for(key, one.kind)) for one in found)
+    return Import(arm, imported_model, imported_arm(imported_model, arm), named)
 
 
 def priced(imported: Import, states: States) -> Import:
     """The same with each difference's newton metres at these states, the dearest first."""
-    arm, holdings = imported.arm, imported.holdings
+    arm, imported_model = imported.arm, imported.imported_model
     if not imported.differences:
         return imported
     inertial = any(one.parameters is not None for one in imported.differences)
     Y = torque_regressor(arm, states.q, states.qd, states.qdd) if inertial else np.empty(0)
     order: tuple[Bearing, ...] = ("torque", "use", "nothing")
     valued = [
-        replace(one, cost=_cost(one, holdings, arm, states, Y)) for one in imported.differences
+        replace(one, cost=_cost(one, imported_model, arm, states, Y))
+        for one in imported.differences
     ]
     valued.sort(key=lambda one: (order.index(one.bears_on), -(one.cost or 0.0)))
     return replace(imported, differences=tuple(valued))
 
 
 def _cost(
-    one: ImportDifference, holdings: Holdings, arm: SerialArm, states: States, Y: Array
+    one: ImportDifference, imported_model: ImportedModel, arm: SerialArm, states: States, Y: Array
 ) -> float | None:
     if one.parameters is not None:
         return float(np.abs(Y @ one.parameters).max())
     if one.kind == "armature" and one.joint is not None:
-        motors = {joint.name: joint.armature for joint in holdings.joints}
+        motors = {joint.name: joint.armature for joint in imported_model.joints}
         gap = motors[arm.joint_names[one.joint]] - arm.joints[one.joint].armature
         return float(np.abs(gap * states.qdd[:, one.joint]).max())
     if one.kind == "gravity":
         # g(q) is linear in gravity: the torque of the gap is the gap between the torques.
-        return float(np.abs(gravity_torque(arm, states.q, holdings.gravity - arm.gravity)).max())
+        return float(
+            np.abs(gravity_torque(arm, states.q, imported_model.gravity - arm.gravity)).max()
+        )
     return None

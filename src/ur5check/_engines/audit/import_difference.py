@@ -16,7 +16,7 @@ import numpy as np
 from ..._robot.transforms import Array
 
 if TYPE_CHECKING:
-    from ..known_issue import Habit
+    from ..known_issue import KnownIssue
 
 __all__ = ["KINDS", "Bearing", "ImportDifference", "Kind"]
 
@@ -66,7 +66,7 @@ class ImportDifference:
     parameters : what it adds to π, shape (10 n,); None where it is no inertia's
     cost : the largest |Δτ| that it alone makes at the states asked about [N m]; None where it
         makes none
-    habit : the engine's known habit that explains it, with its remedy
+    known issue : the engine's known known issue that explains it, with its fix
     """
 
     kind: Kind
@@ -76,7 +76,7 @@ class ImportDifference:
     joint: int | None = None
     parameters: Array | None = field(default=None, repr=False)
     cost: float | None = None
-    habit: Habit | None = None
+    known_issue: KnownIssue | None = None
 
     @property
     def bears_on(self) -> Bearing:

@@ -2,7 +2,7 @@
 
 Its torques are held against our recursion on the arm that it has read.  Where the two agree to
 rounding, its import explains all that it says otherwise.  An adapter may also let through what it
-should have mended: the engine's own gravity instead of the one it was told, its own joint order
+should have repaired: the engine's own gravity instead of the one it was told, its own joint order
 instead of the arm's.  Both are tried.
 """
 
@@ -60,16 +60,16 @@ def _readings(
     own = [kind for kind in both if imported.kinds[kind]]
     for chosen in product((False, True), repeat=len(own)):
         follows = tuple(kind for kind, taken in zip(own, chosen, strict=True) if taken)
-        g = imported.holdings.gravity if "gravity" in follows else gravity
+        g = imported.imported_model.gravity if "gravity" in follows else gravity
         order = _order(imported) if "order" in follows else list(range(imported.arm.n))
         if order is not None:
             # The engine takes entry k of an array for its own joint k, and answers likewise.
             q, qd, qdd = (array[:, order] for array in (states.q, states.qd, states.qdd))
-            yield follows, rnea(imported.believed, q, qd, qdd, g)[:, np.argsort(order)]
+            yield follows, rnea(imported.imported_arm, q, qd, qdd, g)[:, np.argsort(order)]
 
 
 def _order(imported: Import) -> list[int] | None:
     """For each of the arm's joints, where the engine has it; None if it lacks one."""
-    names = [joint.name for joint in imported.holdings.joints]
+    names = [joint.name for joint in imported.imported_model.joints]
     wanted = imported.arm.joint_names
     return [names.index(name) for name in wanted] if sorted(names) == sorted(wanted) else None

@@ -20,7 +20,7 @@ from ..._dynamics.kinematics import link_frames
 from ..._robot.inertia import Inertia
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
-from ..imported_model import Holdings
+from ..imported_model import ImportedModel
 from .audit_tolerances import parameter_rounding
 from .import_difference import ImportDifference, Kind
 from .written_bodies import Misreading, WrittenBody, written_arm
@@ -38,12 +38,12 @@ class _Part:
     held: Array  # (10,) in frame i
 
 
-def body_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifference]:
+def body_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
     """Every difference of a moving body, joint by joint from the base."""
     found: list[ImportDifference] = []
     merged: list[str] = []
     written = written_arm(arm).bodies
-    for i, held in enumerate(_held_by_joint(holdings, arm)):
+    for i, held in enumerate(_held_by_joint(imported_model, arm)):
         group = [body for body in written if body.carried_by == i]
         for part in _parts(group, held):
             tolerance = parameter_rounding(arm, part.held, _total(part.written))
@@ -56,11 +56,11 @@ def body_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifferenc
     return found
 
 
-def _held_by_joint(holdings: Holdings, arm: SerialArm) -> list[dict[str, Array]]:
+def _held_by_joint(imported_model: ImportedModel, arm: SerialArm) -> list[dict[str, Array]]:
     """Per joint, the engine's bodies by name, in frame i.  What has no mass is no body."""
     frames = link_frames(arm, np.zeros(arm.n))
     groups: list[dict[str, Array]] = [{} for _ in range(arm.n)]
-    for body in holdings.bodies:
+    for body in imported_model.bodies:
         i = body.carried_by
         if i is not None and (body.inertia.mass or body.inertia.tensor.any()):
             to_frame_i = Transform.from_matrix(frames[i]).inverse()

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..._robot.serial_arm import Joint, SerialArm
 from ..._robot.transforms import Array
-from ..imported_model import Holdings, strict_holdings
+from ..imported_model import ImportedModel, strict_imported_model
 from .audit_tolerances import pose_rounding, same_number
 from .import_difference import ImportDifference, Kind
 from .written_bodies import written_arm
@@ -18,14 +18,14 @@ __all__ = ["frame_differences", "joint_differences"]
 _NO_LIMIT = 1e100
 
 
-def joint_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifference]:
+def joint_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
     """Order first, then joint by joint: axis, motor, limits, damping, friction."""
-    names = tuple(joint.name for joint in holdings.joints)
+    names = tuple(joint.name for joint in imported_model.joints)
     found = []
     if names != arm.joint_names:
         found.append(ImportDifference("order", "", ", ".join(arm.joint_names), ", ".join(names)))
-    held = {joint.name: joint for joint in holdings.joints}
-    for i, written in enumerate(strict_holdings(arm).joints):
+    held = {joint.name: joint for joint in imported_model.joints}
+    for i, written in enumerate(strict_imported_model(arm).joints):
         if written.name in held:
             found += _of_joint(written, held[written.name], arm, i)
     return found
@@ -58,23 +58,23 @@ def _numbers(
     ]
 
 
-def frame_differences(holdings: Holdings, arm: SerialArm) -> list[ImportDifference]:
+def frame_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
     """Gravity, tool, coordinates, and what became of the base's inertia."""
     found = []
-    g = holdings.gravity
+    g = imported_model.gravity
     if not all(same_number(*pair) for pair in zip(g, arm.gravity, strict=True)):
         words = (f"{_list(arm.gravity)} m/s²", f"{_list(g)} m/s²")
         found.append(ImportDifference("gravity", "", *words))
-    tool = strict_holdings(arm).tool
-    if np.abs(tool - holdings.tool).max() > pose_rounding(arm):
-        words = (f"at {_list(tool[:3, 3])} m", f"at {_list(holdings.tool[:3, 3])} m")
+    tool = strict_imported_model(arm).tool
+    if np.abs(tool - imported_model.tool).max() > pose_rounding(arm):
+        words = (f"at {_list(tool[:3, 3])} m", f"at {_list(imported_model.tool[:3, 3])} m")
         found.append(ImportDifference("tool", f"frame {arm.source.tip!r}", *words))
-    if holdings.coordinates != arm.n:
-        words = (f"{arm.n} joints", f"{holdings.coordinates} position coordinates")
+    if imported_model.coordinates != arm.n:
+        words = (f"{arm.n} joints", f"{imported_model.coordinates} position coordinates")
         found.append(ImportDifference("coordinates", "", *words))
     standing = written_arm(arm).standing
     if standing:
-        kept = any(body.carried_by is None and body.inertia.mass for body in holdings.bodies)
+        kept = any(body.carried_by is None and body.inertia.mass for body in imported_model.bodies)
         held = "kept" if kept else "left out"
         kind: Kind = "base-kept" if kept else "base-ignored"
         names = ", ".join(map(repr, standing))

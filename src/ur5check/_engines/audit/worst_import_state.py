@@ -15,9 +15,11 @@ __all__ = ["join_states", "worst_state"]
 _STARTS, _RANDOM = 3, 3_000
 
 
-def worst_state(arm: SerialArm, believed: SerialArm, seed: int) -> States:
+def worst_state(arm: SerialArm, imported_arm: SerialArm, seed: int) -> States:
     """The one state, within the arm's limits, where a single joint's torque differs most."""
-    cases = worst_cases(pair_up(arm, believed), seed=seed, starts=_STARTS, random_states=_RANDOM)
+    cases = worst_cases(
+        pair_up(arm, imported_arm), seed=seed, starts=_STARTS, random_states=_RANDOM
+    )
     single = [case for case in cases if case.joint is not None and not case.static]
     state = max(single, key=lambda case: case.value).state
     return States(*(np.array([state[name]]) for name in ("q", "qd", "qdd")))

@@ -83,10 +83,12 @@ def written_arm(arm: SerialArm) -> WrittenArm:
     moving = frozenset(edge.joint for edge in chain.moving)
     bodies = []
     for i, edge in enumerate(chain.moving):
-        to_far_end = arm.links[i].far_end.inverse()
+        to_link_tip_frame = arm.links[i].link_tip_frame.inverse()
         for way in robot.tree.rigid_group(edge.child, chain):
             links = [edge.child, *(step.child for step in way)]
-            pose = reduce(matmul, (robot.held_pose(step, moving) for step in way), to_far_end)
+            pose = reduce(
+                matmul, (robot.held_pose(step, moving) for step in way), to_link_tip_frame
+            )
             own, node = robot.inertia(links[-1]), nodes[links[-1]]
             bodies.append(
                 WrittenBody(

@@ -64,18 +64,18 @@ def dh_frames(arm: SerialArm) -> DHFrames:
     axes = [*(joint.axis for joint in arm.joints[1:]), _Z]
     for i, (link, axis) in enumerate(zip(arm.links, axes, strict=True)):
         last = i + 1 == arm.n
-        seen = before.inverse() @ link.far_end
+        seen = before.inverse() @ link.link_tip_frame
         stays = (kept or last) and np.array_equal(axis, _Z) and _is_dh(seen)
         after = Transform.identity() if stays else _next_frame(seen, axis)
         if last and np.abs((seen @ after).p).max() > _FARTHEST:
             after = seen.inverse()  # the tip's z is no axis that must be met: leave all to the tool
-        far_end = seen @ after
-        if np.abs(far_end.p).max() > _FARTHEST:
-            _refuse(arm, i, float(np.abs(far_end.p).max()))
+        link_tip_frame = seen @ after
+        if np.abs(link_tip_frame.p).max() > _FARTHEST:
+            _refuse(arm, i, float(np.abs(link_tip_frame.p).max()))
         inertia = link.inertia
         if not np.array_equal(after.matrix(), np.eye(4)):
             inertia = on_grid(inertia.expressed_in(after.inverse()), after)
-        links.append(replace(link, far_end=far_end, inertia=inertia))
+        links.append(replace(link, link_tip_frame=link_tip_frame, inertia=inertia))
         before = after
     return DHFrames(_tidy(arm.base @ first), tuple(links), _tidy(before.inverse()))
 
@@ -101,7 +101,7 @@ def _refuse(arm: SerialArm, i: int, distance: float) -> NoReturn:
 def _are_dh(arm: SerialArm) -> bool:
     """Whether all frames but the tip's are DH frames already."""
     return all(np.array_equal(joint.axis, _Z) for joint in arm.joints) and all(
-        _is_dh(link.far_end) for link in arm.links[:-1]
+        _is_dh(link.link_tip_frame) for link in arm.links[:-1]
     )
 
 

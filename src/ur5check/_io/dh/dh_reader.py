@@ -102,13 +102,13 @@ def read_dh(data: bytes, *, file: str) -> SerialArm:
 
 
 def _parsed(data: bytes, file: str) -> tuple[str, dict[str, Any]]:
-    remedy = "correct the TOML (https://toml.io)"
+    fix = "correct the TOML (https://toml.io)"
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         raise ModelError(
-            "the file is not UTF-8 text", remedy="save it as UTF-8", file=file, line=line
+            "the file is not UTF-8 text", fix="save it as UTF-8", file=file, line=line
         ) from None
     try:
         return text, tomllib.loads(text, parse_float=Printed)
@@ -118,12 +118,12 @@ def _parsed(data: bytes, file: str) -> tuple[str, dict[str, Any]]:
         digits = place.partition(",")[0]
         raise ModelError(
             f"the file is not TOML: {problem}",
-            remedy=remedy,
+            fix=fix,
             file=file,
             line=int(digits) if digits.isdigit() else None,
         ) from None
     except (RecursionError, ValueError) as error:  # nested too deep; an integer of 5,000 digits
-        raise ModelError(f"the file is not TOML: {error}", remedy=remedy, file=file) from None
+        raise ModelError(f"the file is not TOML: {error}", fix=fix, file=file) from None
 
 
 def _named_row(i: int, table: object, file: str, text: str) -> Table:
@@ -142,8 +142,8 @@ def _row(table: Table, convention: str, *, last: bool) -> DHRow:
         for key in source.values:
             source.text(key)
     if "r" in given and convention == "modified":
-        remedy = "remove r: it belongs to the standard convention's frames"
-        table.fail("r", "has no meaning under the modified convention", remedy)
+        fix = "remove r: it belongs to the standard convention's frames"
+        table.fail("r", "has no meaning under the modified convention", fix)
     kind = table.text("kind", choices=("revolute", "prismatic")) if "kind" in given else "revolute"
     return DHRow(
         table.text("link"),

@@ -40,10 +40,10 @@ class Table:
         self.name = name
         self.file, self._text, self._row, self._key = file, text, row, key
 
-    def fail(self, key: str | None, problem: str, remedy: str, value: object = None) -> NoReturn:
+    def fail(self, key: str | None, problem: str, fix: str, value: object = None) -> NoReturn:
         raise ModelError(
             problem,
-            remedy=remedy,
+            fix=fix,
             file=self.file,
             line=self.line(key),
             element=" ".join(part for part in (self.name, key) if part) or None,
@@ -84,8 +84,8 @@ class Table:
         if isinstance(value, str):
             match = _PI.fullmatch(value.strip())
             if match is None or (match[3] is not None and float(match[3]) == 0.0):
-                remedy = 'write a number in radians, or a fraction of pi such as "-3*pi/4"'
-                self.fail(key, "is no angle", remedy, value)
+                fix = 'write a number in radians, or a fraction of pi such as "-3*pi/4"'
+                self.fail(key, "is no angle", fix, value)
             angle = float(match[2] or 1) * math.pi / float(match[3] or 1)
             angle = -angle if match[1] == "-" else angle
         else:

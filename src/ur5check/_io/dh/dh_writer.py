@@ -60,12 +60,12 @@ def _has_rows(arm: SerialArm) -> bool:
     return (
         np.array_equal(arm.base.matrix(), np.eye(4))
         and all(np.array_equal(joint.axis, (0.0, 0.0, 1.0)) for joint in arm.joints)
-        and all(abs(link.far_end.R[2, 0]) <= ROUNDING for link in arm.links)
+        and all(abs(link.link_tip_frame.R[2, 0]) <= ROUNDING for link in arm.links)
     )
 
 
 def _row(joint: Joint, link: Link, *, by_hand: bool) -> list[str]:
-    R, p = link.far_end.R, link.far_end.p
+    R, p = link.link_tip_frame.R, link.link_tip_frame.p
     offset = _angle(float(np.arctan2(R[1, 0], R[0, 0])))
     alpha = _angle(float(np.arctan2(R[2, 1], R[2, 2])))
     a, d = round(float(R[:, 0] @ p), _DECIMALS), round(float(p[2]), _DECIMALS)

@@ -23,7 +23,7 @@ from pathlib import Path
 
 from lxml import etree
 
-from ..._engines.known_issues import habits_of
+from ..._engines.known_issues import known_issues_of
 from ..._errors import ModelError
 from ..._robot import SerialArm, Transform
 from ..._robot.transforms import Array
@@ -71,9 +71,9 @@ def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: st
     chain = robot.tree.chain(arm.source.base, arm.source.tip)
     _refuse_massless(arm, file)
     notes = [*leave_out_control(root), *hold_still(root, robot, chain)]
-    for habit in habits_of("gazebo"):
-        if habit.applied(root):
-            notes.append(f"Gazebo: {habit.title}; {habit.remedy}.")
+    for known_issue in known_issues_of("gazebo"):
+        if known_issue.applied(root):
+            notes.append(f"Gazebo: {known_issue.title}; {known_issue.fix}.")
     meshes, unread = take_meshes(root, package=package, packages=packages, folder=Path(file).parent)
     limited = copy.deepcopy(root)
     limit_turns(limited, chain)
@@ -88,7 +88,7 @@ def _refuse_massless(arm: SerialArm, file: str) -> None:
         if link.inertia.mass == 0.0:
             raise ModelError(
                 "moves and has mass zero: Gazebo drops such a link and all that hangs on it",
-                remedy="give it a small mass and inertia",
+                fix="give it a small mass and inertia",
                 file=file,
                 element=f"link {link.name!r}",
             )

@@ -28,7 +28,7 @@ from .joint_lines import NAMESPACE, joint_blanks, yaml_list
 from .package_templates import comment_body, fill, names_under
 from .start_posture import start_angles
 
-__all__ = ["GazeboHandover", "Ros", "gazebo_handover"]
+__all__ = ["GazeboPackages", "Ros", "gazebo_packages"]
 
 Ros = Literal["1", "2"]
 _DISTRIBUTIONS = {
@@ -38,7 +38,7 @@ _DISTRIBUTIONS = {
 
 
 @dataclass(frozen=True, eq=False)
-class GazeboHandover:
+class GazeboPackages:
     """files : content by path;  programs : those of them that are run
     start : where the joints stand at first, length n [rad] or [m]
     tau : torque that holds them there, shape (n,) [N m] or [N]
@@ -52,7 +52,7 @@ class GazeboHandover:
     notes: tuple[str, ...]
 
 
-def gazebo_handover(
+def gazebo_packages(
     arm: SerialArm,
     pose: Sequence[float],
     *,
@@ -61,7 +61,7 @@ def gazebo_handover(
     file: str,
     licence: str = "that of the model",
     command: str = "",
-) -> GazeboHandover:
+) -> GazeboPackages:
     """Packages for an arm that starts in a pose, and for the torque that holds it there.
 
     pose : joint positions, length n [rad] or [m];  ros : which ROS
@@ -90,7 +90,7 @@ def gazebo_handover(
         files |= {f"ros{one}/{name}_gazebo/{path}": data for path, data in package.items()}
     files["README.md"] = _readme(chosen, blanks, notes, provenance).encode()
     programs = frozenset(path for path in files if "/scripts/" in path)
-    return GazeboHandover(files, programs, start, tau, notes)
+    return GazeboPackages(files, programs, start, tau, notes)
 
 
 def _blanks(described: SerialArm, name: str, model: GazeboModel) -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""Edits of a URDF's elements, each for one habit of Gazebo (`gazebo_model` says which).
+"""Edits of a URDF's elements, each for one known issue of Gazebo (`gazebo_model` says which).
 
 They change the tree they are given, and return sentences for who reads the result.
 """

@@ -100,43 +100,51 @@ class _Reader:
         found = []
         for kind in _KINDS:
             for node in link.iterchildren(kind):
-                owner = f"link {link.get('name')!r} {kind}"
+                contribution = f"link {link.get('name')!r} {kind}"
                 try:
-                    found.append(self._shape(kind, node, owner, pose))
+                    found.append(self._shape(kind, node, contribution, pose))
                 except ModelError as error:
                     self.notes.append(str(error))
         return found
 
     def _shape(
-        self, kind: Literal["collision", "visual"], node: Element, owner: str, pose: Transform
+        self,
+        kind: Literal["collision", "visual"],
+        node: Element,
+        contribution: str,
+        pose: Transform,
     ) -> Shape:
-        place = pose @ Transform.from_rpy(*self.numbers.origin(node, owner))
-        geometry = self.numbers.child(node, "geometry", owner)
+        place = pose @ Transform.from_rpy(*self.numbers.origin(node, contribution))
+        geometry = self.numbers.child(node, "geometry", contribution)
         solid = None if geometry is None else next(geometry.iterchildren("*"), None)
         if solid is None:
-            self.numbers.fail(node, owner, "has no geometry", "write one, or remove it")
+            self.numbers.fail(node, contribution, "has no geometry", "write one, or remove it")
         scale = np.ones(3)
         if solid.tag == "mesh":
             name = solid.get("filename") or ""
             mesh = _read(self.packages.resolve(name, self.folder), name)
-            scale = np.array(self.numbers.triple(solid, "scale", owner, (1.0, 1.0, 1.0)))
+            scale = np.array(self.numbers.triple(solid, "scale", contribution, (1.0, 1.0, 1.0)))
         else:
-            name, mesh = solid.tag, self._primitive(solid, owner)
+            name, mesh = solid.tag, self._primitive(solid, contribution)
         points, volume, closed = _extent(mesh, name)
         vertices = (points * scale) @ place.R.T + place.p
         return Shape(kind, name, vertices, volume * float(abs(scale.prod())), closed)
 
-    def _primitive(self, solid: Element, owner: str) -> Any:
+    def _primitive(self, solid: Element, contribution: str) -> Any:
         from trimesh import creation
 
         if solid.tag == "box":
-            return creation.box(self.numbers.triple(solid, "size", owner, None))
+            return creation.box(self.numbers.triple(solid, "size", contribution, None))
         if solid.tag not in ("cylinder", "sphere"):
-            self.numbers.fail(solid, owner, f"<{solid.tag}> is no shape of URDF", "use a mesh")
-        radius = self.numbers.number(solid, "radius", owner)
+            self.numbers.fail(
+                solid, contribution, f"<{solid.tag}> is no shape of URDF", "use a mesh"
+            )
+        radius = self.numbers.number(solid, "radius", contribution)
         if solid.tag == "sphere":
             return creation.icosphere(radius=float(radius))
-        return creation.cylinder(float(radius), float(self.numbers.number(solid, "length", owner)))
+        return creation.cylinder(
+            float(radius), float(self.numbers.number(solid, "length", contribution))
+        )
 
 
 def _read(path: Path, name: str) -> Any:
@@ -146,21 +154,21 @@ def _read(path: Path, name: str) -> Any:
     if path.suffix.lower() not in _FORMATS:
         raise ModelError(
             f"{path.suffix or 'this'} is no mesh format that is read here",
-            remedy=f"use one of {', '.join(_FORMATS)}",
+            fix=f"use one of {', '.join(_FORMATS)}",
             element=name,
         )
     try:
         return trimesh.load_scene(path, skip_materials=True).to_mesh()
     except Exception as error:  # each format's library has errors of its own
         problem = f"the mesh cannot be read: {type(error).__name__}: {error}"
-        raise ModelError(problem, remedy="export it again", element=name) from error
+        raise ModelError(problem, fix="export it again", element=name) from error
 
 
 def _extent(mesh: Any, name: str) -> tuple[Array, float, bool]:
     """Corners of the convex hull (k, 3), volume, and whether the surface closes."""
     points = np.asarray(getattr(mesh, "vertices", ()), dtype=np.float64)
     if len(points) < 4 or not np.isfinite(points).all() or not np.ptp(points, axis=0).all():
-        raise ModelError("the mesh encloses nothing", remedy="export it again", element=name)
+        raise ModelError("the mesh encloses nothing", fix="export it again", element=name)
     hull = mesh.convex_hull
     closed = bool(mesh.is_watertight)
     volume = abs(float(mesh.volume if closed else hull.volume))

@@ -91,8 +91,8 @@ class Bodies:
         """Limits and losses included.  Raises ModelError for a spring, a ball, a free body."""
         spec = self._joints[edge.joint]
         if edge.kind not in _KINDS.values():
-            remedy = "choose base= and tip= so that it lies outside the arm"
-            self.fail("joint", edge.joint, "", f"is {edge.kind}: neither hinge nor slide", remedy)
+            fix = "choose base= and tip= so that it lies outside the arm"
+            self.fail("joint", edge.joint, "", f"is {edge.kind}: neither hinge nor slide", fix)
         index, dof = self._model.joint(edge.joint).id, self._model.joint(edge.joint).dofadr[0]
         if self._model.jnt_stiffness[index] != 0.0:
             self.fail("joint", edge.joint, " stiffness", "is a spring", _SPRING)
@@ -145,15 +145,15 @@ class Bodies:
         if self._model.body_mass[index] == 0.0 and not body.explicitinertial:
             return None
         if body.gravcomp != 0.0:
-            remedy = "remove gravcomp: the force that holds the body up is no rigid body's"
-            self.fail("link", link, " gravcomp", "takes weight away from the body", remedy)
+            fix = "remove gravcomp: the force that holds the body up is no rigid body's"
+            self.fail("link", link, " gravcomp", "takes weight away from the body", fix)
         if not body.explicitinertial or self._changed:
             self.weighed.append(link)
             return self._compiled_inertia(index)
         return _written_inertia(body, self._model.body_iquat[index])
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, remedy: str
+        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
     ) -> NoReturn:
         """Raise ModelError at a body or joint."""
         element = self._joints.get(name) if tag == "joint" else self._bodies.get(name)
@@ -161,9 +161,7 @@ class Bodies:
         info = "" if element is None else element.info or element.parent.info
         file, line = self._text.place(info)
         word = "body" if tag == "link" else tag
-        raise ModelError(
-            problem, remedy=remedy, file=file, line=line, element=f"{word} {name!r}{part}"
-        )
+        raise ModelError(problem, fix=fix, file=file, line=line, element=f"{word} {name!r}{part}")
 
     def _limits(self, index: int, name: str) -> Limits:
         lower, upper = self._model.jnt_range[index] if self._model.jnt_limited[index] else (

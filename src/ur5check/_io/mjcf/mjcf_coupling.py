@@ -18,7 +18,7 @@ from .mjcf_text import MjcfText
 
 __all__ = ["Coupling", "Motor", "couplings", "motors", "refuse_couplings"]
 
-_REMEDY = "choose base= and tip= so that it lies outside the arm, or remove it"
+_FIX = "choose base= and tip= so that it lies outside the arm, or remove it"
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def refuse_couplings(found: list[Coupling], bodies: Bodies, chain: Chain) -> Non
             file, line = coupling.place
             raise ModelError(
                 f"acts on the arm's joints beside their own motion ({shown}): no serial chain",
-                remedy=_REMEDY,
+                fix=_FIX,
                 file=file,
                 line=line,
                 element=coupling.what,

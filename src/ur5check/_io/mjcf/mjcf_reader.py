@@ -53,7 +53,7 @@ def read_mjcf(
         try:
             spec = mujoco.MjSpec.from_string(text.text)
         except ValueError as error:
-            raise text.said_by_mujoco(error) from None
+            raise text.warnings_of_mujoco(error) from None
         name_all(spec)
         motor, tied = motors(spec), couplings(spec, text)
         model = _compiled(spec, text)
@@ -83,7 +83,7 @@ def _mujoco(file: str) -> Any:
     except ImportError:
         raise ModelError(
             "MJCF is read through MuJoCo, which is not installed here",
-            remedy="pip install 'ur5check[mujoco]'",
+            fix="pip install 'ur5check[mujoco]'",
             file=file,
         ) from None
     return mujoco
@@ -120,7 +120,7 @@ def _compiled(spec: Any, text: MjcfText) -> Any:
     try:
         return spec.compile()
     except ValueError as error:
-        raise text.said_by_mujoco(error) from None
+        raise text.warnings_of_mujoco(error) from None
 
 
 def _with_motor(joint: Any, motor: Motor) -> Any:
@@ -135,7 +135,7 @@ def _gravity(mujoco: Any, model: Any, bodies: Bodies, base: str, text: MjcfText)
     if option.density or option.viscosity or option.wind.any():
         raise ModelError(
             "density, viscosity or wind is set: the arm moves in a fluid",
-            remedy="remove them: drag is no rigid body's",
+            fix="remove them: drag is no rigid body's",
             file=text.file,
             element="<option>",
         )

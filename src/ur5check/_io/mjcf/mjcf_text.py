@@ -54,8 +54,8 @@ class MjcfText:
         self._homes: dict[Element, str] = {}
         root = self._parsed(data, file)
         if root.tag != "mujoco":
-            remedy = "an MJCF file's root is <mujoco>, a URDF's is <robot>"
-            self.fail(root, f"<{root.tag}>", "the root element is not MJCF's", remedy, root.tag)
+            fix = "an MJCF file's root is <mujoco>, a URDF's is <robot>"
+            self.fail(root, f"<{root.tag}>", "the root element is not MJCF's", fix, root.tag)
         for include in list(root.iter("include")):
             self._splice(include)
         self.root = root
@@ -69,10 +69,10 @@ class MjcfText:
         return tuple((name, hashlib.sha256(data).hexdigest()) for name, data in self.read)
 
     def fail(
-        self, node: Element, element: str | None, problem: str, remedy: str, value: object = None
+        self, node: Element, element: str | None, problem: str, fix: str, value: object = None
     ) -> NoReturn:
         """Raise ModelError at an element, in the file where it stands."""
-        ElementReader(self._home(node)).fail(node, element, problem, remedy, value)
+        ElementReader(self._home(node)).fail(node, element, problem, fix, value)
 
     def place(self, info: str) -> tuple[str, int | None]:
         """File and line of what MuJoCo says stands in "line 12" of the text it was given."""
@@ -80,18 +80,18 @@ class MjcfText:
         node = self._places.at(int(found[1])) if found else None
         return (self.file, None) if node is None else (self._home(node), node.sourceline)
 
-    def said_by_mujoco(self, error: Exception) -> ModelError:
+    def warnings_of_mujoco(self, error: Exception) -> ModelError:
         """MuJoCo's refusal in our words."""
         file, line = self.place(str(error))
         first, *rest = str(error).strip().splitlines()
         problem = re.sub(r"^((XML )?Error: )+", "", first)
         element = re.search(r"Element (?:name )?'([^']+)'", " ".join(rest))
-        remedy = "correct it; MuJoCo's XML reference says what is meant"
+        fix = "correct it; MuJoCo's XML reference says what is meant"
         if "mjMINVAL" in problem:
-            remedy = "give the body an <inertial>, or shapes that weigh something"
+            fix = "give the body an <inertial>, or shapes that weigh something"
         return ModelError(
             f"MuJoCo cannot take it: {problem}",
-            remedy=remedy,
+            fix=fix,
             file=file,
             line=line,
             element=f"{element[1]!r}" if element else None,
@@ -103,8 +103,8 @@ class MjcfText:
             data = (self.folder / name).read_bytes()
         except OSError as error:
             problem = f"needs {name!r}, which cannot be read: {error.strerror}"
-            remedy = "put the file there, or give every moving body an <inertial>"
-            raise ModelError(problem, remedy=remedy, file=self.file, element=wanted_by) from None
+            fix = "put the file there, or give every moving body an <inertial>"
+            raise ModelError(problem, fix=fix, file=self.file, element=wanted_by) from None
         self.read.append((name, data))
         return data
 
@@ -124,8 +124,8 @@ class MjcfText:
         try:
             data = (self.folder / PurePosixPath(name)).read_bytes()
         except (OSError, ValueError):
-            remedy = "put it there: paths start from the folder of the main file"
-            self.fail(include, "<include> file", "cannot be read", remedy, name)
+            fix = "put it there: paths start from the folder of the main file"
+            self.fail(include, "<include> file", "cannot be read", fix, name)
         inner = self._parsed(data, name)
         for node in inner.iter(etree.Element):
             self._homes[node] = name
@@ -144,9 +144,9 @@ class MjcfText:
     def _check_elements(self) -> None:
         for node in self.root.iter(etree.Element):
             if node.tag in _NO_BODIES and node.getparent().tag != "default":
-                remedy = "write rigid bodies out (MuJoCo's spec.to_xml() does), or leave it away"
+                fix = "write rigid bodies out (MuJoCo's spec.to_xml() does), or leave it away"
                 problem = f"{_NO_BODIES[node.tag]}: no rigid body that can be read here"
-                self.fail(node, f"<{node.tag}>", problem, remedy)
+                self.fail(node, f"<{node.tag}>", problem, fix)
             reader = ElementReader(self._home(node))
             owner = _owner(node)
             for attribute in _NUMBERS.get(node.tag, ()):
@@ -174,8 +174,8 @@ def _check_inertial(node: Element, reader: ElementReader, owner: str) -> None:
     if key not in node.attrib:
         key, names = "diaginertia", names[:3]
     if key not in node.attrib:
-        remedy = 'write fullinertia="xx yy zz xy xz yz" or diaginertia="xx yy zz"'
-        reader.fail(node, owner, "has no inertia", remedy)
+        fix = 'write fullinertia="xx yy zz xy xz yz" or diaginertia="xx yy zz"'
+        reader.fail(node, owner, "has no inertia", fix)
     entries = reader.numbers(node, key, owner)
     if len(entries) != len(names):
         problem = f"takes {len(names)} numbers, not {len(entries)}"

@@ -19,7 +19,7 @@ from ..._robot.serial_arm import Joint, Link, SerialArm
 from ..._robot.transforms import Array, Transform
 from ..file_comments import came_from, xml_comment
 from ..number_text import as_written, exact, triple
-from ..round_trip import Pose, quaternion_pose, settled_inertia
+from ..round_trip import Pose, quaternion_pose, round_trip_inertia
 from ..unique_names import unique_names
 from ..urdf.urdf_writer import NO_LIMIT
 
@@ -64,9 +64,9 @@ def mjcf_of(arm: SerialArm) -> str:
             continue
         pose, moved = _start_and_joints(arm, start, waiting, joints)
         body = f"<body name={quoteattr(names[i])}{_placed(pose)}>"
-        read_far_end = quaternion_pose(link.far_end).read
-        lines += _indented(depth, [body, f"  {_inertial(link, read_far_end)}", *moved])
-        depth, start, waiting = depth + 1, link.far_end, []
+        read_link_tip_frame = quaternion_pose(link.link_tip_frame).read
+        lines += _indented(depth, [body, f"  {_inertial(link, read_link_tip_frame)}", *moved])
+        depth, start, waiting = depth + 1, link.link_tip_frame, []
     lines += _indented(depth, _tip(arm, [_WORLD, base, *names], quaternion_pose(start)))
     lines += [line for level in range(depth - 1, 1, -1) for line in _indented(level, ["</body>"])]
     return "\n".join([*lines, "  </worldbody>", "</mujoco>", ""])
@@ -94,7 +94,7 @@ def _start_and_joints(
     to_body = Transform.identity()
     elements = [_joint(arm.joints[last], names[last], arm.joints[last].axis, np.zeros(3))]
     for i in reversed(before):
-        to_body = arm.links[i].far_end @ to_body
+        to_body = arm.links[i].link_tip_frame @ to_body
         seen = to_body.inverse()
         axis = seen.R @ arm.joints[i].axis
         elements.insert(0, _joint(arm.joints[i], names[i], axis, seen.p))
@@ -129,8 +129,8 @@ def _joint(joint: Joint, name: str, axis: Array, anchor: Array) -> str:
     return f"  <joint {' '.join(words)}/>"
 
 
-def _inertial(link: Link, read_far_end: Transform) -> str:
-    here = settled_inertia(link, read_far_end)
+def _inertial(link: Link, read_link_tip_frame: Transform) -> str:
+    here = round_trip_inertia(link, read_link_tip_frame)
     entries = [here.tensor[i] for i in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
     key, values = ("fullinertia", entries) if any(entries[3:]) else ("diaginertia", entries[:3])
     return (

@@ -65,7 +65,7 @@ def _parsed(text: SdfText) -> tuple[Any, tuple[str, ...]]:
     except ImportError:
         raise ModelError(
             "SDF is read through Drake, which is not installed here",
-            remedy="pip install 'ur5check[drake]'",
+            fix="pip install 'ur5check[drake]'",
             file=text.reader.file,
         ) from None
     plant = MultibodyPlant(0.0)
@@ -75,7 +75,7 @@ def _parsed(text: SdfText) -> tuple[Any, tuple[str, ...]]:
             _refuse_loops(plant, text)
             plant.Finalize()
         except RuntimeError as error:
-            raise text.said_by_drake(error) from None
+            raise text.warnings_of_drake(error) from None
     return plant, tuple(f"Drake says: {text.in_our_words(line)}" for line in said)
 
 
@@ -128,15 +128,15 @@ class _Links:
         """Raises ModelError for a joint that is neither revolute nor prismatic, or mimics."""
         joint, node = self._joints[edge.joint], self._text.joints[edge.joint]
         if edge.kind not in ("revolute", "prismatic"):
-            remedy = "choose base= and tip= so that it lies outside the arm"
+            fix = "choose base= and tip= so that it lies outside the arm"
             problem = f"is {edge.kind}: neither revolute nor prismatic"
-            self.fail("joint", edge.joint, "", problem, remedy)
+            self.fail("joint", edge.joint, "", problem, fix)
         if node.find("axis/mimic") is not None:
-            remedy = "choose a tip= before it, or remove <mimic>"
-            self.fail("joint", edge.joint, "", "mimics another: no coordinate of its own", remedy)
+            fix = "choose a tip= before it, or remove <mimic>"
+            self.fail("joint", edge.joint, "", "mimics another: no coordinate of its own", fix)
         if float(node.findtext("axis/dynamics/spring_stiffness") or 0.0) != 0.0:
-            remedy = "remove it: its torque is no rigid body's"
-            self.fail("joint", edge.joint, " spring_stiffness", "is a spring", remedy)
+            fix = "remove it: its torque is no rigid body's"
+            self.fail("joint", edge.joint, " spring_stiffness", "is a spring", fix)
         revolute = edge.kind == "revolute"
         kind: Literal["revolute", "prismatic"] = "revolute" if revolute else "prismatic"
         axis = joint.revolute_axis() if revolute else joint.translation_axis()
@@ -172,11 +172,11 @@ class _Links:
         return self._plant.EvalBodyPoseInWorld(context, body).rotation().matrix()
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, remedy: str
+        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
     ) -> NoReturn:
         """Raise ModelError at a link or joint."""
         node = (self._text.joints if tag == "joint" else self._text.links)[name]
-        self._text.fail(node, f"{tag} {name!r}{part}", problem, remedy)
+        self._text.fail(node, f"{tag} {name!r}{part}", problem, fix)
 
     def _checked(self, edges: list[Edge]) -> list[str]:
         """The links, of which the joints must make one tree."""

@@ -71,32 +71,34 @@ class SdfText:
     def inertia(self, name: str) -> Inertia:
         """A moving link's inertia, in the link's frame.  Raises ModelError where a default of
         SDFormat would stand in for a number."""
-        link, owner = self.links[name], f"link {name!r}"
+        link, contribution = self.links[name], f"link {name!r}"
         inertial = self._inertials[name]
         if (link.findtext("gravity") or "true").strip().lower() in ("false", "0"):
-            remedy = "remove <gravity>: no arm on earth has a link without weight"
-            self.reader.fail(link, owner, "has its gravity switched off", remedy)
+            fix = "remove <gravity>: no arm on earth has a link without weight"
+            self.reader.fail(link, contribution, "has its gravity switched off", fix)
         if inertial is None:
             problem = "moves and has no <inertial>: SDFormat would give it 1 kg and 1 kg m²"
-            remedy = "write its <inertial>; a mere frame is a <frame>, not a link"
-            self.reader.fail(link, owner, problem, remedy)
-        owner += " inertial"
+            fix = "write its <inertial>; a mere frame is a <frame>, not a link"
+            self.reader.fail(link, contribution, problem, fix)
+        contribution += " inertial"
         if (inertial.get("auto") or "false").strip().lower() in ("true", "1"):
-            remedy = "write <mass> and <inertia>"
-            self.reader.fail(inertial, owner, "is to be made from shapes (auto)", remedy)
-        mass_node = self._part(inertial, "mass", owner, "1 kg")
-        inertia_node = self._part(inertial, "inertia", owner, "1 kg m²")
-        (mass,) = self._numbers(mass_node, f"{owner}/mass", 1)
+            fix = "write <mass> and <inertia>"
+            self.reader.fail(inertial, contribution, "is to be made from shapes (auto)", fix)
+        mass_node = self._part(inertial, "mass", contribution, "1 kg")
+        inertia_node = self._part(inertial, "inertia", contribution, "1 kg m²")
+        (mass,) = self._numbers(mass_node, f"{contribution}/mass", 1)
         entries = {}
         for entry in _ENTRIES:
             default = "1 kg m²" if entry[1] == entry[2] else "0"
-            node = self._part(inertia_node, entry, f"{owner}/inertia", default)
-            (entries[entry],) = self._numbers(node, f"{owner}/inertia/{entry}", 1)
+            node = self._part(inertia_node, entry, f"{contribution}/inertia", default)
+            (entries[entry],) = self._numbers(node, f"{contribution}/inertia/{entry}", 1)
         tensor, rounding = printed_tensor(dict(entries))
-        place = Place(self.reader.file, f"{owner}/", mass_node.sourceline, inertia_node.sourceline)
+        place = Place(
+            self.reader.file, f"{contribution}/", mass_node.sourceline, inertia_node.sourceline
+        )
         check_inertia(mass, tensor, place, rounding=rounding, point_mass=True)
         own = Inertia(mass, np.zeros(3), tensor)
-        return own.expressed_in(self._pose(inertial, owner))
+        return own.expressed_in(self._pose(inertial, contribution))
 
     def losses(self, joint: str) -> tuple[float, float]:
         """A joint's damping and friction; zero where the file names none."""
@@ -105,19 +107,19 @@ class SdfText:
         return given["damping"], given["friction"]
 
     def fail(
-        self, node: Element, element: str | None, problem: str, remedy: str, value: object = None
+        self, node: Element, element: str | None, problem: str, fix: str, value: object = None
     ) -> NoReturn:
         """Raise ModelError at an element."""
-        self.reader.fail(node, element, problem, remedy, value)
+        self.reader.fail(node, element, problem, fix, value)
 
-    def said_by_drake(self, error: Exception) -> ModelError:
+    def warnings_of_drake(self, error: Exception) -> ModelError:
         """Drake's refusal in our words."""
         said = str(error)
         found = re.search(r"\.sdf:(\d+)", said)
         node = self._places.at(int(found[1])) if found else None
         return ModelError(
             f"Drake cannot take it: {self.in_our_words(said)}",
-            remedy="correct it; http://sdformat.org/spec says what is meant",
+            fix="correct it; http://sdformat.org/spec says what is meant",
             file=self.reader.file,
             line=None if node is None else node.sourceline,
         )
@@ -130,25 +132,25 @@ class SdfText:
 
     def _check_root(self) -> None:
         if self.root.tag != "sdf":
-            remedy = "an SDF file's root is <sdf version=…>"
-            self.fail(self.root, f"<{self.root.tag}>", "the root element is not SDF's", remedy)
+            fix = "an SDF file's root is <sdf version=…>"
+            self.fail(self.root, f"<{self.root.tag}>", "the root element is not SDF's", fix)
         version = self.root.get("version") or ""
         numbers = re.fullmatch(r"(\d+)\.(\d+)", version)
         if numbers is None or (int(numbers[1]), int(numbers[2])) < _OLDEST:
-            remedy = 'write version="1.4" or later'
-            self.fail(self.root, "<sdf> version", "is too old or none", remedy, version or None)
+            fix = 'write version="1.4" or later'
+            self.fail(self.root, "<sdf> version", "is too old or none", fix, version or None)
 
     def _only_model(self) -> tuple[Element | None, Element]:
         for tag in ("include", "model/model", "world/model/model"):
             node = self.root.find(f".//{tag}" if tag == "include" else tag)
             if node is not None:
-                remedy = "write the model out flat, in one file (gz sdf --print does)"
-                self.fail(node, f"<{node.tag}>", "is not followed", remedy)
+                fix = "write the model out flat, in one file (gz sdf --print does)"
+                self.fail(node, f"<{node.tag}>", "is not followed", fix)
         models = [*self.root.findall("model"), *self.root.findall("world/model")]
         if len(models) != 1:
             node = models[1] if models else self.root
-            remedy = "keep the arm's model alone"
-            self.fail(node, "<sdf>", f"holds {len(models)} models", remedy)
+            fix = "keep the arm's model alone"
+            self.fail(node, "<sdf>", f"holds {len(models)} models", fix)
         world = self.root.find("world")
         return world, models[0]
 
@@ -163,26 +165,28 @@ class SdfText:
         return named
 
     def _check_joint(self, name: str, joint: Element) -> None:
-        owner = f"joint {name!r}"
-        axis = self.reader.child(joint, "axis", owner)
+        contribution = f"joint {name!r}"
+        axis = self.reader.child(joint, "axis", contribution)
         if axis is None:
             return
-        xyz = self.reader.child(axis, "xyz", owner)
-        if xyz is not None and not any(self._numbers(xyz, f"{owner} axis", 3)):
-            self.fail(xyz, f"{owner} axis", "is zero", "write a direction, such as 0 0 1", xyz.text)
-        limit = self.reader.child(axis, "limit", owner)
+        xyz = self.reader.child(axis, "xyz", contribution)
+        if xyz is not None and not any(self._numbers(xyz, f"{contribution} axis", 3)):
+            self.fail(
+                xyz, f"{contribution} axis", "is zero", "write a direction, such as 0 0 1", xyz.text
+            )
+        limit = self.reader.child(axis, "limit", contribution)
         if limit is not None:
             values = {}
             for node in limit.iterchildren("lower", "upper", "effort", "velocity"):
-                (values[node.tag],) = self._numbers(node, f"{owner} limit {node.tag}", 1)
+                (values[node.tag],) = self._numbers(node, f"{contribution} limit {node.tag}", 1)
             if values.get("lower", -math.inf) > values.get("upper", math.inf):
-                self.fail(limit, f"{owner} limit", "lower exceeds upper", "swap them")
+                self.fail(limit, f"{contribution} limit", "lower exceeds upper", "swap them")
 
-    def _part(self, node: Element, tag: str, owner: str, default: str) -> Element:
-        part = self.reader.child(node, tag, owner)
+    def _part(self, node: Element, tag: str, contribution: str, default: str) -> Element:
+        part = self.reader.child(node, tag, contribution)
         if part is None:
             problem = f"has no <{tag}>: SDFormat would give it {default}"
-            self.fail(node, owner, problem, f"write <{tag}>")
+            self.fail(node, contribution, problem, f"write <{tag}>")
         return part
 
     def _optional(self, node: Element | None, tag: str, joint: str) -> float:
@@ -192,19 +196,21 @@ class SdfText:
         (value,) = self._numbers(part, f"joint {joint!r} dynamics {tag}", 1)
         return value
 
-    def _pose(self, node: Element, owner: str) -> Transform:
-        pose = self.reader.child(node, "pose", owner)
+    def _pose(self, node: Element, contribution: str) -> Transform:
+        pose = self.reader.child(node, "pose", contribution)
         if pose is None:
             return Transform.identity()
-        owner += " pose"
+        contribution += " pose"
         if pose.get("relative_to"):
-            self.fail(pose, owner, "is relative to another frame", "write it in the link's frame")
+            self.fail(
+                pose, contribution, "is relative to another frame", "write it in the link's frame"
+            )
         if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
-            x, y, z, *xyz_w = self._numbers(pose, owner, 7)
+            x, y, z, *xyz_w = self._numbers(pose, contribution, 7)
             return Transform.from_quaternion((x, y, z), (xyz_w[3], *xyz_w[:3]))
-        x, y, z, *rpy = self._numbers(pose, owner, 6)
+        x, y, z, *rpy = self._numbers(pose, contribution, 6)
         in_degrees = (pose.get("degrees") or "false").strip().lower() in ("true", "1")
         return Transform.from_rpy((x, y, z), [math.radians(a) for a in rpy] if in_degrees else rpy)
 
-    def _numbers(self, node: Element, owner: str, count: int) -> list[Printed]:
-        return self.reader.text_numbers(node, owner, count)
+    def _numbers(self, node: Element, contribution: str, count: int) -> list[Printed]:
+        return self.reader.text_numbers(node, contribution, count)

@@ -136,6 +136,6 @@ class Tree:
         )
 
     def _fail(
-        self, problem: str, remedy: str, element: str | None = None, value: object = None
+        self, problem: str, fix: str, element: str | None = None, value: object = None
     ) -> NoReturn:
-        raise ModelError(problem, remedy=remedy, file=self.file, element=element, value=value)
+        raise ModelError(problem, fix=fix, file=self.file, element=element, value=value)

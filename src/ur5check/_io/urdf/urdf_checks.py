@@ -64,28 +64,28 @@ def _check_root(root: Element, reader: ElementReader) -> None:
     tag = etree.QName(root)
     if tag.localname == "robot" and tag.namespace is None:
         return
-    remedy = "a URDF's root is <robot>"
+    fix = "a URDF's root is <robot>"
     if tag.localname in _OTHER_FORMATS:
-        remedy = _OTHER_FORMATS[tag.localname]
+        fix = _OTHER_FORMATS[tag.localname]
     elif tag.localname == "robot":
-        remedy = "remove the default namespace, xmlns=…: URDF has none"
-    reader.fail(root, f"<{tag.localname}>", "the root element is not a URDF's", remedy, root.tag)
+        fix = "remove the default namespace, xmlns=…: URDF has none"
+    reader.fail(root, f"<{tag.localname}>", "the root element is not a URDF's", fix, root.tag)
 
 
 def _check_expanded(root: Element, reader: ElementReader) -> None:
     """No xacro left over.  (A mere xmlns:xacro is fine: xacro leaves it in what it writes.)"""
-    remedy = "this is a xacro file: name it .xacro, or expand it first (ur5check expand)"
+    fix = "this is a xacro file: name it .xacro, or expand it first (ur5check expand)"
     for element in root.iter(etree.Element):
         tag = etree.QName(element)
         if "xacro" in (tag.namespace or ""):
             problem = "is a xacro instruction, not yet expanded"
-            reader.fail(element, f"<{element.prefix}:{tag.localname}>", problem, remedy)
+            reader.fail(element, f"<{element.prefix}:{tag.localname}>", problem, fix)
     for element in root.iterchildren("link", "joint"):
         for part in element.iter(etree.Element):
             for key, text in part.attrib.items():
                 if "${" in text or "$(" in text:
                     where = f"<{part.tag}> {key}"
-                    reader.fail(part, where, "is an unexpanded xacro expression", remedy, text)
+                    reader.fail(part, where, "is an unexpanded xacro expression", fix, text)
 
 
 def _named(root: Element, tag: str, reader: ElementReader) -> dict[str, Element]:
@@ -107,27 +107,29 @@ def _check_type(name: str, joint: Element, reader: ElementReader) -> None:
             joint, f"joint {name!r}", "has no type", f"use one of: {', '.join(JOINT_TYPES)}"
         )
     if kind not in JOINT_TYPES:
-        remedy = did_you_mean(kind, JOINT_TYPES)
-        reader.fail(joint, f"joint {name!r} type", "is no joint type of URDF", remedy, kind)
+        fix = did_you_mean(kind, JOINT_TYPES)
+        reader.fail(joint, f"joint {name!r} type", "is no joint type of URDF", fix, kind)
 
 
 def _check_link(name: str, link: Element, reader: ElementReader) -> None:
-    owner = f"link {name!r}"
-    inertial = reader.child(link, "inertial", owner)
+    contribution = f"link {name!r}"
+    inertial = reader.child(link, "inertial", contribution)
     if inertial is None:
         return
-    owner += " inertial"
-    reader.origin(inertial, owner)
+    contribution += " inertial"
+    reader.origin(inertial, contribution)
     parts: dict[str, Element] = {
-        tag: reader.child(inertial, tag, owner) for tag in ("mass", "inertia")
+        tag: reader.child(inertial, tag, contribution) for tag in ("mass", "inertia")
     }
     for tag, part in parts.items():
         if part is None:
-            remedy = f"write <{tag}>, or leave the whole <inertial> out for a massless frame"
-            reader.fail(inertial, owner, f"has no <{tag}>", remedy)
-    mass = reader.number(parts["mass"], "value", f"{owner}/mass")
-    entries = {e: reader.number(parts["inertia"], e, f"{owner}/inertia") for e in ENTRIES}
-    place = Place(reader.file, f"{owner}/", parts["mass"].sourceline, parts["inertia"].sourceline)
+            fix = f"write <{tag}>, or leave the whole <inertial> out for a massless frame"
+            reader.fail(inertial, contribution, f"has no <{tag}>", fix)
+    mass = reader.number(parts["mass"], "value", f"{contribution}/mass")
+    entries = {e: reader.number(parts["inertia"], e, f"{contribution}/inertia") for e in ENTRIES}
+    place = Place(
+        reader.file, f"{contribution}/", parts["mass"].sourceline, parts["inertia"].sourceline
+    )
     tensor, rounding = printed_tensor(dict(entries))
     # A point mass is the limit of small bodies: welded to a link it is as good as any other, and
     # force sensors are often written so.  One that moves alone is refused once links are merged.
@@ -137,63 +139,65 @@ def _check_link(name: str, link: Element, reader: ElementReader) -> None:
 def _check_joint(
     name: str, joint: Element, joints: dict[str, Element], reader: ElementReader
 ) -> None:
-    owner = f"joint {name!r}"
+    contribution = f"joint {name!r}"
     kind = joint.get("type")
-    reader.origin(joint, owner)
-    axis = reader.child(joint, "axis", owner)
+    reader.origin(joint, contribution)
+    axis = reader.child(joint, "axis", contribution)
     if axis is not None:
-        direction = reader.triple(axis, "xyz", f"{owner} axis", None)
+        direction = reader.triple(axis, "xyz", f"{contribution} axis", None)
         # Exporters write a zero axis into fixed joints, where it means nothing.
         if kind in _WITH_AXIS and not any(direction):
-            remedy = "write the direction in the joint's frame, such as 0 0 1"
-            reader.fail(axis, f"{owner} axis", "is zero", remedy, axis.get("xyz"))
-    _check_limit(owner, kind, joint, reader)
-    _check_losses(owner, joint, reader)
-    mimic = reader.child(joint, "mimic", owner)
+            fix = "write the direction in the joint's frame, such as 0 0 1"
+            reader.fail(axis, f"{contribution} axis", "is zero", fix, axis.get("xyz"))
+    _check_limit(contribution, kind, joint, reader)
+    _check_losses(contribution, joint, reader)
+    mimic = reader.child(joint, "mimic", contribution)
     if mimic is not None:
         followed = mimic.get("joint")
         if followed not in joints or followed == name:
             problem = "names no other joint of this file"
-            remedy = did_you_mean(followed or "", set(joints) - {name})
-            reader.fail(mimic, f"{owner} mimic", problem, remedy, followed)
+            fix = did_you_mean(followed or "", set(joints) - {name})
+            reader.fail(mimic, f"{contribution} mimic", problem, fix, followed)
         for attribute in ("multiplier", "offset"):
-            reader.optional_number(mimic, attribute, f"{owner} mimic")
+            reader.optional_number(mimic, attribute, f"{contribution} mimic")
 
 
-def _check_losses(owner: str, joint: Element, reader: ElementReader) -> None:
-    losses = reader.child(joint, "dynamics", owner)
+def _check_losses(contribution: str, joint: Element, reader: ElementReader) -> None:
+    losses = reader.child(joint, "dynamics", contribution)
     if losses is None:
         return
     for key in ("damping", "friction"):
-        value = reader.optional_number(losses, key, f"{owner} dynamics")
+        value = reader.optional_number(losses, key, f"{contribution} dynamics")
         if value is not None and value < 0.0:
-            remedy = "a bearing takes energy, it gives none: write it positive"
-            reader.fail(losses, f"{owner} dynamics {key}", "is negative", remedy, losses.get(key))
+            fix = "a bearing takes energy, it gives none: write it positive"
+            reader.fail(
+                losses, f"{contribution} dynamics {key}", "is negative", fix, losses.get(key)
+            )
 
 
-def _check_limit(owner: str, kind: str, joint: Element, reader: ElementReader) -> None:
-    limit = reader.child(joint, "limit", owner)
-    owner += " limit"
+def _check_limit(contribution: str, kind: str, joint: Element, reader: ElementReader) -> None:
+    limit = reader.child(joint, "limit", contribution)
+    contribution += " limit"
     needed = kind in ("revolute", "prismatic")
     if limit is None:
         if needed:
-            remedy = "write <limit lower upper effort velocity>, or type='continuous'"
-            reader.fail(joint, owner, f"is missing, which a {kind} joint must have", remedy)
+            fix = "write <limit lower upper effort velocity>, or type='continuous'"
+            reader.fail(joint, contribution, f"is missing, which a {kind} joint must have", fix)
         return
     names = ("lower", "upper", "effort", "velocity")
-    values = {key: reader.optional_number(limit, key, owner) for key in names}
+    values = {key: reader.optional_number(limit, key, contribution) for key in names}
     if needed:
         for key in ("effort", "velocity"):
-            reader.number(limit, key, owner)
+            reader.number(limit, key, contribution)
         if values["lower"] is None and values["upper"] is None:
-            remedy = "write lower and upper: left out they are 0, and the joint could not move"
-            reader.fail(limit, owner, "lower and upper are missing", remedy)
+            fix = "write lower and upper: left out they are 0, and the joint could not move"
+            reader.fail(limit, contribution, "lower and upper are missing", fix)
     for key in ("effort", "velocity"):
         value = values[key]
         if value is not None and value < 0.0:
-            remedy = "it bounds a magnitude: write it positive"
-            reader.fail(limit, f"{owner} {key}", "is negative", remedy, limit.get(key))
+            fix = "it bounds a magnitude: write it positive"
+            reader.fail(limit, f"{contribution} {key}", "is negative", fix, limit.get(key))
     lower, upper = values["lower"] or 0.0, values["upper"] or 0.0
     if needed and lower > upper:
         shown = f"lower={limit.get('lower')} upper={limit.get('upper')}"
-        reader.fail(limit, owner, "lower exceeds upper", "swap them", shown)
+        reader.fail(limit, contribution, "lower exceeds upper", "swap them", shown)

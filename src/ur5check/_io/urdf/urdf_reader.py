@@ -65,8 +65,8 @@ def _refuse_unless_simple(robot: Robot, edge: Edge) -> None:
     """A joint of the chain must have one coordinate, and that its own."""
     if edge.kind in ("planar", "floating"):
         problem = f"is {edge.kind}: neither revolute nor prismatic"
-        remedy = "choose base= and tip= so that it lies outside the arm"
-        robot.fail("joint", edge.joint, "", problem, remedy)
+        fix = "choose base= and tip= so that it lies outside the arm"
+        robot.fail("joint", edge.joint, "", problem, fix)
     followed = robot.mimicked(edge.joint)
     if followed is not None:
         problem = f"mimics {followed!r}: it has no coordinate of its own"

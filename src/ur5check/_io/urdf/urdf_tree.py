@@ -19,28 +19,30 @@ def check_tree(
         child = _end(name, joint, "child", links, reader)
         if child in joint_to:
             problem = f"link {child!r} has two parents: joint {joint_to[child]!r} moves it already"
-            remedy = "a link hangs on one joint; remove one, or name another child"
-            reader.fail(joint, f"joint {name!r}", problem, remedy)
+            fix = "a link hangs on one joint; remove one, or name another child"
+            reader.fail(joint, f"joint {name!r}", problem, fix)
         parent_of[child], joint_to[child] = parent, name
     _refuse_cycles(parent_of, joint_to, joints, reader)
     roots = [name for name in links if name not in parent_of]
     if len(roots) > 1:
         shown = ", ".join(repr(root) for root in roots[:6])
         problem = f"links {shown} hang on no joint: the file holds {len(roots)} separate trees"
-        remedy = "join them with joints, or remove what does not belong"
-        reader.fail(links[roots[1]], f"link {roots[1]!r}", problem, remedy)
+        fix = "join them with joints, or remove what does not belong"
+        reader.fail(links[roots[1]], f"link {roots[1]!r}", problem, fix)
 
 
 def _end(
     name: str, joint: Element, tag: str, links: dict[str, Element], reader: ElementReader
 ) -> str:
-    owner = f"joint {name!r} {tag}"
+    contribution = f"joint {name!r} {tag}"
     element = reader.child(joint, tag, f"joint {name!r}")
     if element is None or element.get("link") is None:
-        reader.fail(joint, owner, "is missing", f'write <{tag} link="…"/>')
+        reader.fail(joint, contribution, "is missing", f'write <{tag} link="…"/>')
     link = str(element.get("link"))
     if link not in links:
-        reader.fail(element, owner, "is no link of this file", did_you_mean(link, links), link)
+        reader.fail(
+            element, contribution, "is no link of this file", did_you_mean(link, links), link
+        )
     return link
 
 
@@ -58,10 +60,8 @@ def _refuse_cycles(
             if link in climbed:
                 ring = " → ".join(reversed([*climbed[climbed.index(link) :], link]))
                 name = joint_to[link]
-                remedy = "URDF describes trees only: cut the loop at one joint"
-                reader.fail(
-                    joints[name], f"joint {name!r}", "closes a cycle of links", remedy, ring
-                )
+                fix = "URDF describes trees only: cut the loop at one joint"
+                reader.fail(joints[name], f"joint {name!r}", "closes a cycle of links", fix, ring)
             climbed.append(link)
             link = parent_of[link]
         settled.update(climbed)

@@ -46,10 +46,10 @@ class Robot:
         }
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, remedy: str
+        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
     ) -> NoReturn:
         """Raise ModelError at a link or joint; part : " inertial/mass", or ""."""
-        self._reader.fail(self._nodes[tag][name], f"{tag} {name!r}{part}", problem, remedy)
+        self._reader.fail(self._nodes[tag][name], f"{tag} {name!r}{part}", problem, fix)
 
     def mimicked(self, joint: str) -> str | None:
         """The joint that this one copies, if it does."""
@@ -148,4 +148,4 @@ def _parsed(root: Element, file: str) -> Any:
         ).robot
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         problem = f"yourdfpy cannot read it: {error}"
-        raise ModelError(problem, remedy="simplify the file", file=file) from error
+        raise ModelError(problem, fix="simplify the file", file=file) from error

@@ -21,7 +21,7 @@ from ..._robot.inertia import Inertia
 from ..._robot.serial_arm import STANDARD_GRAVITY, Joint, SerialArm
 from ..file_comments import came_from, xml_comment
 from ..number_text import exact, triple
-from ..round_trip import Pose, rpy_pose, settled_inertia
+from ..round_trip import Pose, round_trip_inertia, rpy_pose
 from ..unique_names import unique_names
 
 __all__ = ["NO_LIMIT", "not_said", "urdf_of"]
@@ -45,10 +45,10 @@ def urdf_of(arm: SerialArm) -> str:
         f"<robot name={quoteattr(arm.name.strip() or 'arm')}>",
         f"  <link{_named(names[0])}/>",
     ]
-    starts = [rpy_pose(T) for T in (arm.base, *(link.far_end for link in arm.links))]
+    starts = [rpy_pose(T) for T in (arm.base, *(link.link_tip_frame for link in arm.links))]
     for i, (joint, link) in enumerate(zip(arm.joints, arm.links, strict=True)):
         lines += _joint_lines(joint, joints[i], names[i], names[i + 1], starts[i])
-        lines += _link_lines(settled_inertia(link, starts[i + 1].read), names[i + 1])
+        lines += _link_lines(round_trip_inertia(link, starts[i + 1].read), names[i + 1])
     lines += _tip_lines(arm, names, joints, starts[-1])
     return "\n".join([*lines, "</robot>", ""])
 

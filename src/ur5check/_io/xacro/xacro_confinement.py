@@ -59,7 +59,7 @@ def check_expression(expression: str) -> None:
         if name.startswith("__") or name in _WAYS_OUT:
             raise ModelError(
                 f"the expression reaches for {name!r}, which describes no robot",
-                remedy="remove it, and ask who wrote this file",
+                fix="remove it, and ask who wrote this file",
                 element=f"${{{expression}}}",
             )
 

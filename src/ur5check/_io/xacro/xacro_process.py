@@ -35,7 +35,7 @@ _NEVER_ENDS = "the expansion never ends: an include, a macro or an expression ca
 _CORRECT = "correct the xacro file"
 
 # What xacro says, and what to do about it.
-_REMEDIES = (
+_FIXES = (
     ("unknown macro name", "define the macro before its call, or include the file that defines it"),
     ("Undefined parameters", "give every parameter that has no default"),
     ("Invalid parameter", "remove it, or add it to the macro's params"),
@@ -76,7 +76,7 @@ class Arguments(dict[str, str]):
         for name in sorted(self.given - self.known):
             raise ModelError(
                 f"the file has no argument {name!r}",
-                remedy=did_you_mean(name, self.known),
+                fix=did_you_mean(name, self.known),
                 file=file,
                 value=f"{name}:={dict.__getitem__(self, name)}",
             )
@@ -122,7 +122,7 @@ class Worker:
             except NameError as error:
                 raise ModelError(
                     f"{error}",
-                    remedy=f"define the property before it is used; {_near(error, names)}",
+                    fix=f"define the property before it is used; {_near(error, names)}",
                     element=f"${{{text}}}",
                 ) from None
 
@@ -162,7 +162,7 @@ class Worker:
             near = did_you_mean(name, self.packages)
             raise ModelError(
                 f"package {name!r} is not known",
-                remedy=f"pass --package {name}=DIR ({near})",
+                fix=f"pass --package {name}=DIR ({near})",
                 element=f"$(find {name})",
             )
         return self.packages[name][0]
@@ -177,7 +177,7 @@ class Worker:
             reason = f"the {which} cannot be read: {error.strerror}"
             problem = ModelError(
                 reason,
-                remedy="correct the file name, or pass --package NAME=DIR for another folder",
+                fix="correct the file name, or pass --package NAME=DIR for another folder",
                 element="<xacro:include>",
                 value=filename,
             )
@@ -193,7 +193,7 @@ class Worker:
             return io.StringIO(self._read(filename, "xacro.load_yaml").decode("utf-8"))
         except UnicodeDecodeError:
             raise ModelError(
-                "the file is not UTF-8 text", remedy="save the file as UTF-8", file=filename
+                "the file is not UTF-8 text", fix="save the file as UTF-8", file=filename
             ) from None
 
     def _read(self, filename: str, element: str) -> bytes:
@@ -202,7 +202,7 @@ class Worker:
             self.snippet = filename.rpartition(os.sep)[2]
             raise ModelError(
                 "the file lies outside of the robot file's folder and of every package",
-                remedy="pass --package NAME=DIR for the folder that holds it, if you trust it",
+                fix="pass --package NAME=DIR for the folder that holds it, if you trust it",
                 element=element,
                 value=filename,
             )
@@ -263,7 +263,7 @@ class Worker:
                 self.snippet = getattr(error, "snippet", self.snippet)
                 return self._error(
                     explained.problem,
-                    explained.remedy,
+                    explained.fix,
                     file=explained.file,
                     line=explained.line,
                     element=explained.element,
@@ -292,15 +292,15 @@ class Worker:
             named = re.search(pattern, message)
             if named:
                 self.snippet, element = written.format(named[1]), shown.format(named[1])
-        remedy = next((remedy for said, remedy in _REMEDIES if said in message), _CORRECT)
+        fix = next((fix for said, fix in _FIXES if said in message), _CORRECT)
         if not isinstance(root, _SPEAKING):
             message = f"{type(root).__name__}: {message}"
-        return self._error(message, remedy, element)
+        return self._error(message, fix, element)
 
     def _error(
         self,
         problem: str,
-        remedy: str,
+        fix: str,
         element: str | None = None,
         *,
         file: str | None = None,
@@ -310,7 +310,7 @@ class Worker:
         return {
             "error": {
                 "problem": " ".join(problem.split()).rstrip("."),
-                "remedy": remedy,
+                "fix": fix,
                 "file": file,
                 "line": line,
                 "element": element,

@@ -69,7 +69,7 @@ def expand_xacro(
     if not robot.is_file():
         raise ModelError(
             "this is not a file" if robot.exists() else "no such file",
-            remedy="give the path of a xacro file",
+            fix="give the path of a xacro file",
             file=str(path),
         )
     robot = robot.resolve()
@@ -156,7 +156,7 @@ def _ended_error(ended: _EndedError, shown: Mapping[str, str]) -> ModelError:
         snippet, files = "", list(shown)
     error = {
         "problem": ended.problem,
-        "remedy": "simplify what it computes, or allow it more time",
+        "fix": "simplify what it computes, or allow it more time",
         "element": snippet or None,
     }
     return _error(error, files, snippet, shown)
@@ -170,7 +170,7 @@ def _error(
         file, line = _place(files, snippet)
     return ModelError(
         fields["problem"],
-        remedy=fields["remedy"],
+        fix=fields["fix"],
         file=shown.get(file, file),
         line=line,
         element=fields.get("element"),

@@ -43,18 +43,18 @@ def checked_xml(data: bytes, file: str) -> bytes:
     Raises ModelError, with the line where there is one.
     """
     if not data.strip():
-        raise ModelError("the file is empty", remedy="give a robot description", file=file)
+        raise ModelError("the file is empty", fix="give a robot description", file=file)
     _check_encoding(data, file)
     doctype = _DOCTYPE.search(data)
     if doctype:
         raise ModelError(
             "a document type (DOCTYPE, which may declare entities) is not accepted",
-            remedy="write out what its entities stand for and remove it",
+            fix="write out what its entities stand for and remove it",
             file=file,
             line=_line_at(data, doctype.end()),
             element="<!DOCTYPE>",
         )
-    # Neither parser errors are mended (recover) nor deep or huge trees accepted (huge_tree).
+    # Neither parser errors are repaired (recover) nor deep or huge trees accepted (huge_tree).
     parser = etree.XMLParser(
         resolve_entities=False, no_network=True, load_dtd=False, recover=False, huge_tree=False
     )
@@ -63,7 +63,7 @@ def checked_xml(data: bytes, file: str) -> bytes:
     except etree.XMLSyntaxError as error:
         raise ModelError(
             f"the file is not well-formed XML: {_reason(error)}",
-            remedy="correct the XML; a cut-off file must be fetched again",
+            fix="correct the XML; a cut-off file must be fetched again",
             file=file,
             line=error.lineno or None,
         ) from None
@@ -73,13 +73,13 @@ def checked_xml(data: bytes, file: str) -> bytes:
 def _check_encoding(data: bytes, file: str) -> None:
     for mark, name in _FOREIGN_MARKS:
         if data.startswith(mark):
-            raise ModelError(f"the file is {name}", remedy=_SAVE_AS_UTF8, file=file, line=1)
+            raise ModelError(f"the file is {name}", fix=_SAVE_AS_UTF8, file=file, line=1)
     declared = _ENCODING.match(data)
     # ASCII is a part of UTF-8, so a file that declares it is read alike by everyone.
     if declared and declared[1].lower() not in (b"utf-8", b"us-ascii", b"ascii"):
         raise ModelError(
             "the file declares an encoding other than UTF-8",
-            remedy=f"{_SAVE_AS_UTF8} and declare that",
+            fix=f"{_SAVE_AS_UTF8} and declare that",
             file=file,
             line=1,
             element="<?xml?>",
@@ -90,7 +90,7 @@ def _check_encoding(data: bytes, file: str) -> None:
     except UnicodeDecodeError as error:
         raise ModelError(
             "the file is not UTF-8 text",
-            remedy=_SAVE_AS_UTF8,
+            fix=_SAVE_AS_UTF8,
             file=file,
             line=_line_at(data, error.start),
             value=data[error.start : error.end],

@@ -16,18 +16,19 @@ Element = Any  # lxml.etree._Element: lxml ships no types
 class ElementReader:
     """Reads elements of one file; knows the file's name and says where each fault stands.
 
-    `owner` is the link or joint that an element belongs to, as in "link 'forearm' inertial/mass".
+    `contribution` is the link or joint that an element belongs to, as in "link 'forearm'
+    inertial/mass".
     """
 
     def __init__(self, file: str) -> None:
         self.file = file
 
     def fail(
-        self, node: Element, element: str | None, problem: str, remedy: str, value: object = None
+        self, node: Element, element: str | None, problem: str, fix: str, value: object = None
     ) -> NoReturn:
         raise ModelError(
             problem,
-            remedy=remedy,
+            fix=fix,
             file=self.file,
             line=node.sourceline,
             element=element,
@@ -38,43 +39,45 @@ class ElementReader:
         """The `name` attribute, which must not be empty."""
         name = node.get("name")
         if name is None or not name.strip():
-            remedy = f'write <{node.tag} name="…">'
-            self.fail(node, f"<{node.tag}>", "has no name", remedy, value=name)
+            fix = f'write <{node.tag} name="…">'
+            self.fail(node, f"<{node.tag}>", "has no name", fix, value=name)
         return str(name)
 
-    def child(self, node: Element, tag: str, owner: str) -> Element | None:
+    def child(self, node: Element, tag: str, contribution: str) -> Element | None:
         """The only child of this tag, or None; two of them are one too many."""
         found = node.findall(tag)
         if len(found) > 1:
             self.fail(
                 found[1],
-                owner,
+                contribution,
                 f"has several <{tag}> elements",
                 "keep one: readers differ on which",
             )
         return found[0] if found else None
 
-    def number(self, node: Element, attribute: str, owner: str) -> Printed:
+    def number(self, node: Element, attribute: str, contribution: str) -> Printed:
         """A required attribute that holds one plain number."""
         text = node.get(attribute)
         if text is None:
-            self.fail(node, owner, f"{attribute} is missing", f'write {attribute}="…"')
-        return self._plain(node, f"{owner} {attribute}", text, text)
+            self.fail(node, contribution, f"{attribute} is missing", f'write {attribute}="…"')
+        return self._plain(node, f"{contribution} {attribute}", text, text)
 
-    def optional_number(self, node: Element, attribute: str, owner: str) -> Printed | None:
-        return None if node.get(attribute) is None else self.number(node, attribute, owner)
+    def optional_number(self, node: Element, attribute: str, contribution: str) -> Printed | None:
+        return None if node.get(attribute) is None else self.number(node, attribute, contribution)
 
     def triple(
-        self, node: Element, attribute: str, owner: str, default: Sequence[float] | None
+        self, node: Element, attribute: str, contribution: str, default: Sequence[float] | None
     ) -> tuple[float, float, float]:
         """An attribute of three plain numbers; `default` where it is left out, if there is one."""
         text = node.get(attribute)
         if text is None:
             if default is None:
-                self.fail(node, owner, f"{attribute} is missing", f'write {attribute}="x y z"')
+                self.fail(
+                    node, contribution, f"{attribute} is missing", f'write {attribute}="x y z"'
+                )
             a, b, c = default
             return a, b, c
-        where = f"{owner} {attribute}"
+        where = f"{contribution} {attribute}"
         words = text.split()
         numbers = [self._plain(node, where, word, text) for word in words]
         if len(numbers) != 3:
@@ -83,29 +86,31 @@ class ElementReader:
         a, b, c = numbers
         return a, b, c
 
-    def numbers(self, node: Element, attribute: str, owner: str) -> list[Printed]:
+    def numbers(self, node: Element, attribute: str, contribution: str) -> list[Printed]:
         """An attribute of plain numbers, however many."""
         text = str(node.get(attribute))
-        return [self._plain(node, f"{owner} {attribute}", word, text) for word in text.split()]
+        return [
+            self._plain(node, f"{contribution} {attribute}", word, text) for word in text.split()
+        ]
 
-    def text_numbers(self, node: Element, owner: str, count: int) -> list[Printed]:
+    def text_numbers(self, node: Element, contribution: str, count: int) -> list[Printed]:
         """An element's own text: `count` plain numbers."""
         text = node.text or ""
         words = text.split()
-        numbers = [self._plain(node, owner, word, text) for word in words]
+        numbers = [self._plain(node, contribution, word, text) for word in words]
         if len(numbers) != count:
             problem = f"takes {count} number{'s' if count > 1 else ''}, not {len(numbers)}"
-            self.fail(node, owner, problem, "write them, parted by spaces", text)
+            self.fail(node, contribution, problem, "write them, parted by spaces", text)
         return numbers
 
     def origin(
-        self, node: Element, owner: str
+        self, node: Element, contribution: str
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Both xyz [m] and rpy [rad] of the node's `<origin>`; zeros where it has none."""
-        origin = self.child(node, "origin", owner)
+        origin = self.child(node, "origin", contribution)
         if origin is None:
             return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-        where = f"{owner} origin"
+        where = f"{contribution} origin"
         zero = (0.0, 0.0, 0.0)
         return self.triple(origin, "xyz", where, zero), self.triple(origin, "rpy", where, zero)
 
@@ -113,5 +118,5 @@ class ElementReader:
         try:
             return plain_number(word)
         except ValueError as error:
-            remedy = "write a finite decimal number, such as -0.0018 or 1.2e-3"
-            self.fail(node, where, str(error), remedy, whole)
+            fix = "write a finite decimal number, such as -0.0018 or 1.2e-3"
+            self.fail(node, where, str(error), fix, whole)

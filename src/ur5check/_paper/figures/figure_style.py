@@ -46,11 +46,12 @@ class Look:
         return {"color": self.colour, "linewidth": thickness * self.width, "linestyle": style}
 
 
-#: In drawing order: the referee's dashes lie on the appendix's broad line, and must cover it.
+#: In drawing order: the reference engine's dashes lie on the appendix's broad line, and must cover
+#: it.
 LOOKS = {
     "appendix": Look("appendix URDF", SILVER, 5.0),
     "erd-ur5": Look("example-robot-data", GREEN, 1.8),
-    REPAIRED: Look("listing, signs mended", BLUE, 2.4),
+    REPAIRED: Look("listing, signs repaired", BLUE, 2.4),
     PRINTED: Look("listing, as printed", ORANGE, 2.4, (6, 2)),
     PINOCCHIO: Look("appendix, by Pinocchio", INK, 1.3, (4, 2)),
 }

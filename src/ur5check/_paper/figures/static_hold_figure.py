@@ -8,20 +8,20 @@ import numpy as np
 
 from ..._dynamics.kinematics import link_frames
 from ..._robot.transforms import Array
-from ..._simulation.static_hold import STILL, Standing
+from ..._simulation.static_hold import STILL, StaticHold
 from .figure_style import BLUE, GREY, INK, ORANGE, bare, new_figure, titled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["draw_standing", "headline"]
+__all__ = ["draw_static_hold", "headline"]
 
 _SHOTS = 6  # of the arm on its way
 _SHOWN = 0.4  # s of the way that are drawn as shots: after it an arm is a tangle of lines
 
 
-def draw_standing(s: Standing) -> Figure:
+def draw_static_hold(s: StaticHold) -> Figure:
     """The picture.  Raises UsageError where matplotlib is absent."""
     figure = new_figure(9.0, 4.6)
     arm_axes = figure.add_axes((0.03, 0.09, 0.37, 0.70))
@@ -34,7 +34,7 @@ def draw_standing(s: Standing) -> Figure:
     return figure
 
 
-def headline(s: Standing) -> str:
+def headline(s: StaticHold) -> str:
     """What the picture shows."""
     if s.stands:
         return f"It stands: {s.seconds:g} s, and the tool is within {1e3 * STILL:g} mm of its place"
@@ -44,7 +44,7 @@ def headline(s: Standing) -> str:
     return f"It moves: joint {joint + 1} is given {given} N m and needs {needed}"
 
 
-def _arm(axes: Axes, s: Standing) -> None:
+def _arm(axes: Axes, s: StaticHold) -> None:
     """The chain at a few instants, in the vertical plane that shows most of it."""
     until = min(_SHOWN, float(s.motion.t[-1]))
     picked = np.searchsorted(s.motion.t, np.linspace(0.0, until, _SHOTS))
@@ -71,7 +71,7 @@ def _arm(axes: Axes, s: Standing) -> None:
     )
 
 
-def _drift(axes: Axes, s: Standing) -> None:
+def _drift(axes: Axes, s: StaticHold) -> None:
     """How far the tool is away, on a scale that shows micrometres and metres."""
     bare(axes)
     t, drift = s.motion.t[1:], 1e3 * s.tool_drift[1:]
@@ -99,7 +99,7 @@ def _drift(axes: Axes, s: Standing) -> None:
         )
 
 
-def _corners(s: Standing, k: int) -> Array:
+def _corners(s: StaticHold, k: int) -> Array:
     """Base, link ends and joints of the arm at instant k, shape (n + 1, 3) [m]."""
     arm = s.pair.a
     frames = link_frames(arm, s.motion.q[min(k, len(s.motion.t) - 1)])

@@ -8,20 +8,20 @@ from ..._comparison.attribution import Attribution
 from ..._comparison.attribution_detail import TermAttribution
 from ..._comparison.difference import Difference
 from ..document import Column, Row, Section, Table
-from ..pair_parts import owner_rows, owner_table
+from ..pair_parts import contribution_rows, contribution_table
 from ..wording import figures, residue
 
-__all__ = ["owners_section"]
+__all__ = ["contributions_section"]
 
 
-def owners_section(
+def contributions_section(
     d: Difference, terms: TermAttribution | None, parameters: Attribution | None
 ) -> Section:
     """Every newton metre's owner.
 
     terms : None in a quick report;  parameters : the finer split, where it was asked for
     """
-    tables = [owner_table(d)]
+    tables = [contribution_table(d)]
     if terms is not None:
         tables.append(_term_table(d, terms))
     if parameters is not None:
@@ -55,7 +55,7 @@ def _term_table(d: Difference, terms: TermAttribution) -> Table:
 
 
 def _parameter_table(d: Difference, parameters: Attribution) -> Table:
-    rows, note = owner_rows(d, parameters)
+    rows, note = contribution_rows(d, parameters)
     return Table(
         (
             Column("parameter"),

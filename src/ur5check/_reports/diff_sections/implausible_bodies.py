@@ -32,7 +32,7 @@ def bodies_section(e: Explanation) -> Section:
         ),
         tuple(_row(name, p) for name, p in found),
         note="Impossible: for any body, or for the one that its mesh shows. Suspicious: beyond the "
-        "habits of robots.",
+        "known issues of robots.",
     )
     return Section("Plausibility", tables=(table,))
 

@@ -1,4 +1,4 @@
-"""What went wrong: the mistakes that were found, what mending them does, and what is left."""
+"""What went wrong: the mistakes that were found, what repairing them does, and what is left."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ..wording import MISSING, figures, residue
 __all__ = ["findings_section"]
 
 _NOTE = (
-    "Removes: part of the whole RMS difference, mended from the top. Tried: mended values for each "
-    "number; the more, the more could fit by chance."
+    "Removes: part of the whole RMS difference, repaired from the top. Tried: repaired values for "
+    "each number; the more, the more could fit by chance."
 )
 _NO_TORQUE = f" {MISSING}: changes no torque, once the arms are laid together."
 
@@ -22,7 +22,7 @@ def findings_section(e: Explanation) -> Section:
     """The findings with their evidence, in words, link by link; then what nothing explains."""
     diagnosis = e.diagnosis
     lines = [] if diagnosis.findings else [_none(e)]
-    # What changes no torque comes last; sorting keeps the order of mending.
+    # What changes no torque comes last; sorting keeps the order of repairing.
     numbered = list(enumerate(sorted(diagnosis.findings, key=_idle), 1))
     details = [row for k, f in numbered for row in _details(k, f)]
     tables = []
@@ -85,7 +85,7 @@ def _effect(finding: Finding, diagnosis: Diagnosis) -> tuple[str, str]:
 
 def _words(numbered: list[tuple[int, Finding]]) -> Table:
     return Table(
-        (Column("", number=True), Column("what happened"), Column("to mend it")),
+        (Column("", number=True), Column("what happened"), Column("to repair it")),
         tuple(Row((str(number), _in_words(f), f.advice)) for number, f in numbered),
         title="In words",
     )

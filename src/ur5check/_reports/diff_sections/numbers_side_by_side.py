@@ -63,7 +63,7 @@ def _reach_table(d: Difference) -> Table:
             for link in d.parameters
             if float(np.abs(link.reach_a - link.reach_b).max()) > SAME_LENGTH
         ),
-        title="From joint to far end, where they differ",
+        title="From joint to tip frame, where they differ",
     )
 
 

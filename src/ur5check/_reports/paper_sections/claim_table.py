@@ -34,7 +34,7 @@ def _summary(r: Reproduction) -> Table:
             _row(claim.text, verdict, r.outcomes(claim.id)) for claim, verdict in r.verdicts.items()
         ),
         note="Confirmed: what the paper printed passes. After repair: it fails as printed, and "
-        "passes once the listing's slips are mended. Refuted: it fails, mended or not.",
+        "passes once the listing's mistakes are repaired. Refuted: it fails, repaired or not.",
     )
 
 

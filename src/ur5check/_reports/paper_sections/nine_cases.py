@@ -1,4 +1,4 @@
-"""The nine cases, model by model, and what the listing's slips do to each."""
+"""The nine cases, model by model, and what the listing's mistakes do to each."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..document import Column, Picture, Row, Section, Table
 from ..paper_summary import headline
 from ..wording import MISSING, figures, residue
 
-__all__ = ["cases_section", "slips_section"]
+__all__ = ["cases_section", "listing_mistakes_section"]
 
 
 def cases_section(r: Reproduction, pictures: Mapping[int, str]) -> Section:
@@ -27,19 +27,19 @@ def cases_section(r: Reproduction, pictures: Mapping[int, str]) -> Section:
     return Section("The nine cases", (), (_curves(r), _posture(r)), tuple(drawn))
 
 
-def slips_section(r: Reproduction) -> Section:
-    """The printed torque, the same with the slips mended, and Table 1's."""
+def listing_mistakes_section(r: Reproduction) -> Section:
+    """The printed torque, the same with the mistakes repaired, and Table 1's."""
     lines = [
         f"{finding.sentence}: {figures(finding.before)} → {residue(finding.after)} N m RMS over "
         "random motions."
-        for finding in r.slips.findings
+        for finding in r.listing_mistakes.findings
     ]
     table = Table(
         (
             Column("case"),
             Column("torque"),
             Column("as printed [N m]", number=True),
-            Column("slips mended [N m]", number=True),
+            Column("mistakes repaired [N m]", number=True),
             Column("Table 1 [N m]", number=True),
             Column("printed over Table 1", number=True),
         ),
@@ -49,7 +49,7 @@ def slips_section(r: Reproduction) -> Section:
                     str(e.case),
                     f"τ{e.joint}",
                     figures(e.printed),
-                    figures(e.mended),
+                    figures(e.repaired),
                     figures(e.table),
                     figures(e.ratio),
                 ),
@@ -59,7 +59,7 @@ def slips_section(r: Reproduction) -> Section:
         ),
         note="Where Table 1's torque is largest. Cases without torque are left out.",
     )
-    return Section("What the listing's own slips do", tuple(lines), (table,))
+    return Section("What the listing's own mistakes do", tuple(lines), (table,))
 
 
 def _curves(r: Reproduction) -> Table:

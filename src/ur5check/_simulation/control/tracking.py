@@ -113,12 +113,12 @@ def track(
         qdd = plant.forward_dynamics(q, qd, tau)
         return np.concatenate([qd, qdd, wanted.q - q, np.abs(tau * qd)])
 
-    def room(t: float, y: Array) -> float:
+    def margin(t: float, y: Array) -> float:
         return LOST - float(np.abs(trajectory.at(t).q - y[:n]).max())
 
     y_0 = np.concatenate([start, begin.qd, np.zeros(2 * n)])
     times = np.linspace(0.0, end, instants)
-    t, y = integrate(rate, y_0, times, precision=precision, stop=room)
+    t, y = integrate(rate, y_0, times, precision=precision, stop=margin)
     q_t, qd_t, integral, work = np.split(y, 4, axis=1)
     wanted = [trajectory.at(instant) for instant in t]
     tau = np.array(
@@ -140,8 +140,8 @@ def track(
 def _refuse_sizes(controller: ComputedTorque, plant: Engine, n: int) -> None:
     sizes = {
         "the gains": controller.gains.n,
-        "the controller's model": len(controller.model.holdings().joints),
-        "the plant": len(plant.holdings().joints),
+        "the controller's model": len(controller.model.imported_model().joints),
+        "the plant": len(plant.imported_model().joints),
     }
     for what, size in sizes.items():
         if size != n:

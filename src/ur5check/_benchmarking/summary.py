@@ -6,10 +6,10 @@ from .memory import COPY
 from .result import Benchmark, Comparison
 from .torques import LLVM, LOOP, NUMPY, PARALLEL, with_threads
 
-__all__ = ["tell"]
+__all__ = ["summarize"]
 
 
-def tell(b: Benchmark) -> list[str]:
+def summarize(b: Benchmark) -> list[str]:
     """What was measured, in as many sentences as there were questions that have an answer."""
     said = [*_torques(b), *_memory(b), *_operations(b), *_profiles(b)]
     return [sentence for sentence in said if sentence]
