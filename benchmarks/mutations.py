@@ -613,14 +613,14 @@ def _zero_shifted(arm: SerialArm, i: int) -> Iterator[_Mutant]:
 
 #: id to the ways in which it moves a link.
 GEOMETRY: dict[str, Callable[[SerialArm, int], Iterator[_Mutant]]] = {
-    "reach-sign": _reach_sign,
-    "reach-axes": _reach_axes,
-    "reach-scaled": _reach_scaled,
-    "reach-exchanged": _reach_exchanged,
-    "turn-sign": _turn_sign,
-    "turn-dropped": _turn_dropped,
-    "turn-degrees": _turn_degrees,
-    "turn-rounded": _turn_rounded,
+    "length-sign": _reach_sign,
+    "length-axes": _reach_axes,
+    "length-scaled": _reach_scaled,
+    "length-exchanged": _reach_exchanged,
+    "rotation-sign": _turn_sign,
+    "rotation-dropped": _turn_dropped,
+    "rotation-degrees": _turn_degrees,
+    "rotation-rounded": _turn_rounded,
     "joint-reversed": _joint_reversed,
     "zero-shifted": _zero_shifted,
 }

@@ -134,7 +134,7 @@ def test_findings_are_evidence(explanation: Explanation) -> None:
     found = report["diagnosis"]
     assert [finding["before"] for finding in found[1:]] == [f["after"] for f in found[:-1]]
     assert sum(f["removes"] for f in found) == pytest.approx(1.0, abs=0.15)
-    lost = [f for f in found if f["id"] == "reach-sign"]
+    lost = [f for f in found if f["id"] == "length-sign"]
     if explanation.difference.pair.a.name == "paper-listing":
         assert [(f["side"], f["where"]) for f in lost] == [("a", [2, 3, 5])]
         assert report["unexplained"] == []

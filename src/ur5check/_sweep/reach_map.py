@@ -74,7 +74,7 @@ def tool_position(arm: SerialArm, q: Array) -> NDArray[Any]:
         for link, q_i, cos, sin in reversed(
             list(zip(chain.links, state.q, state.cos, state.sin, strict=True))
         ):
-            p = link.rotation(cos, sin) @ (link.reach(q_i) + p)
+            p = link.rotation(cos, sin) @ (link.link_vector(q_i) + p)
         tool: Vector = chain.origin + chain.base @ p
         return list(tool)
 

@@ -147,21 +147,21 @@ def longer(arm, i, link_tip_frame):
 
 
 GEOMETRY = {
-    "reach-sign": lambda P: Transform(P.R, -P.p),
-    "reach-scaled": lambda P: Transform(P.R, P.p * 10),
-    "turn-sign": lambda P: Transform(P.R.T, P.p),
-    "turn-dropped": lambda P: Transform(np.eye(3), P.p),
+    "length-sign": lambda P: Transform(P.R, -P.p),
+    "length-scaled": lambda P: Transform(P.R, P.p * 10),
+    "rotation-sign": lambda P: Transform(P.R.T, P.p),
+    "rotation-dropped": lambda P: Transform(np.eye(3), P.p),
 }
 
 
 @pytest.mark.parametrize(
     ("arm", "i", "identity"),
     [
-        (UR5, 3, "reach-sign"),
-        (UR5, 3, "reach-scaled"),
+        (UR5, 3, "length-sign"),
+        (UR5, 3, "length-scaled"),
         # A twist about the next joint's own axis is a shifted zero, so the URDF's are left aside.
-        (ur5check.load("paper"), 4, "turn-sign"),
-        (ur5check.load("paper"), 4, "turn-dropped"),
+        (ur5check.load("paper"), 4, "rotation-sign"),
+        (ur5check.load("paper"), 4, "rotation-dropped"),
         *((CHAIN, 3, identity) for identity in GEOMETRY),
     ],
 )

@@ -42,7 +42,7 @@ def library():
 
 
 def test_the_listing_lost_the_signs_of_three_lengths(listing):
-    found = finding(listing, "reach-sign")
+    found = finding(listing, "length-sign")
     assert found.links == (2, 3, 5)
     assert found.side == "a"
     assert found.after < 1e-3 * found.before
@@ -50,7 +50,7 @@ def test_the_listing_lost_the_signs_of_three_lengths(listing):
 
 
 def test_the_listing_rounded_its_quarter_turns(listing):
-    found = finding(listing, "turn-rounded")
+    found = finding(listing, "rotation-rounded")
     assert found.links == (1, 4, 5)
     assert found.side == "a"
     assert "9.6e-05 rad" in found.details[0]

@@ -28,6 +28,9 @@ from .number_mistakes import (
 
 __all__ = ["MISTAKES"]
 
+#: What ids call a quantity, where it is not the field's name.
+_NAMES: dict[Quantity, str] = {"link_vector": "length"}
+
 
 # --- any vector ----------------------------------------------------------------------------------
 
@@ -41,7 +44,11 @@ def _signs(quantity: Quantity) -> Mistake:
 
     what = "the length" if quantity == "link_vector" else "the centre of mass"
     return Mistake(
-        f"{quantity}-sign", quantity, f"a sign of {what} is lost", "write the sign", repairs
+        f"{_NAMES.get(quantity, quantity)}-sign",
+        quantity,
+        f"a sign of {what} is lost",
+        "write the sign",
+        repairs,
     )
 
 
@@ -52,7 +59,7 @@ def _swapped_axes(quantity: Quantity) -> Mistake:
 
     what = "the offset" if quantity == "link_vector" else "the centre of mass"
     return Mistake(
-        f"{quantity}-axes",
+        f"{_NAMES.get(quantity, quantity)}-axes",
         quantity,
         f"{what} has its components on the wrong axes",
         "write each component on its own axis",
@@ -69,7 +76,9 @@ def _scaled(quantity: Quantity, says: str, repair: str) -> Mistake:
             yield from shifted_decimals(value)
 
     # Not in pairs: shrunk to nothing, a number takes any mistake that adds something.
-    return Mistake(f"{quantity}-scaled", quantity, says, repair, repairs, alone=True)
+    return Mistake(
+        f"{_NAMES.get(quantity, quantity)}-scaled", quantity, says, repair, repairs, alone=True
+    )
 
 
 def _exchanged(quantity: Quantity) -> Mistake:
@@ -93,7 +102,7 @@ def _exchanged(quantity: Quantity) -> Mistake:
         "link_vector": "length",
     }
     return Mistake(
-        f"{quantity}-exchanged",
+        f"{_NAMES.get(quantity, quantity)}-exchanged",
         quantity,
         f"the {words[quantity]} is exchanged with another link's",
         "put each link's numbers into its own row",
@@ -366,12 +375,12 @@ MISTAKES: tuple[Mistake, ...] = (
     _swapped_axes("link_vector"),
     _scaled("link_vector", "the length is in another unit", "write metres"),
     _exchanged("link_vector"),
-    Mistake("turn-sign", "rotation", "the sign of the twist (α or rpy) is lost", "write the sign",
+    Mistake("rotation-sign", "rotation", "the sign of the twist (α or rpy) is lost", "write the sign",
             _turned_back),
-    Mistake("turn-dropped", "rotation", "the twist (α or rpy) is left out", "write the angle",
+    Mistake("rotation-dropped", "rotation", "the twist (α or rpy) is left out", "write the angle",
             _turn_dropped, alone=True),
-    Mistake("turn-degrees", "rotation", "the twist (α or rpy) is in degrees", "write radians",
+    Mistake("rotation-degrees", "rotation", "the twist (α or rpy) is in degrees", "write radians",
             _degrees, alone=True),
-    Mistake("turn-rounded", "rotation", "the twist (α or rpy) is a rounded quarter turn",
+    Mistake("rotation-rounded", "rotation", "the twist (α or rpy) is a rounded quarter turn",
             "write π/2 with all digits", _rounded_turn),
 )  # fmt: skip
