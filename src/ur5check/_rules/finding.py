@@ -1,0 +1,84 @@
+"""A finding: one thing that is wrong with a model, where it is written, and what to do about it.
+
+The one type for "something is wrong", whoever notices it: a reader, a rule about bodies or joints,
+the audit of what an engine imported, the comparison of two models, a recording.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+__all__ = ["SEVERITIES", "Finding", "Place", "Severity", "worst_first"]
+
+#: error: this cannot be a real robot, or an engine refuses or alters it;  warning: probably a
+#: mistake;  note: worth knowing.
+Severity = Literal["error", "warning", "note"]
+
+#: The worst first.
+SEVERITIES: tuple[Severity, ...] = ("error", "warning", "note")
+
+
+@dataclass(frozen=True, order=True)
+class Place:
+    """Where a number or an element is written.
+
+    file : as the user gave it, or as an include names it;  line, column : from 1, 0 where unknown
+    element : the element, key or body, "link 'forearm' inertial/mass"
+    """
+
+    file: str = ""
+    line: int = 0
+    column: int = 0
+    element: str = ""
+
+    def __str__(self) -> str:
+        parts = [str(part) for part in (self.file, self.line, self.column) if part]
+        return ":".join(parts)
+
+
+@dataclass(frozen=True, eq=False)
+class Finding:
+    """One thing that is wrong.
+
+    rule : id of the rule that was broken, "INE102"
+    severity : as the rule has it, or lower where the rule says so
+    subject : what it is about: "link 'forearm'", "joint 'elbow'", "robot 'ur5'"
+    message : what is wrong, as a clause, with its numbers
+    places : where it is written, the number at fault first
+    value, bound : what was found and what it was compared with, in `unit`; None where there is no
+        number
+    consequence : what it does to whoever uses the model
+    fix : what to do about it, as an imperative
+    effect : the joint torque that it accounts for [N m], None where it is unknown
+    """
+
+    rule: str
+    severity: Severity
+    subject: str
+    message: str
+    places: tuple[Place, ...] = ()
+    value: float | str | None = None
+    bound: float | str | None = None
+    unit: str = ""
+    consequence: str = ""
+    fix: str = ""
+    effect: float | None = None
+
+    @property
+    def place(self) -> Place:
+        """The first place, or an empty one."""
+        return self.places[0] if self.places else Place()
+
+    def __str__(self) -> str:
+        where = f"{self.place}: " if str(self.place) else ""
+        fix = f"; {self.fix}" if self.fix else ""
+        return f"{where}{self.severity} {self.rule}: {self.subject}: {self.message}{fix}"
+
+
+def worst_first(findings: tuple[Finding, ...] | list[Finding]) -> list[Finding]:
+    """Errors, then warnings, then notes; within one severity the larger effect, then by place."""
+    return sorted(
+        findings,
+        key=lambda f: (SEVERITIES.index(f.severity), -(f.effect or 0.0), f.place, f.rule),
+    )
