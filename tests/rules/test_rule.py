@@ -26,14 +26,14 @@ RECORD = {
 )
 def test_a_rule_that_shows_nothing_is_refused(change):
     assert Rule(**RECORD).family == "INE"
-    with pytest.raises(ValueError, match="INE|ABC"):
+    with pytest.raises(ValueError, match=r"INE|ABC"):
         Rule(**(RECORD | change))
 
 
 def test_ids_of_the_registry_are_its_rules_ids_in_order():
     rules = all_rules()
     assert list(rules) == sorted(rules)
-    assert all(rule.id == id for id, rule in rules.items())
+    assert all(rule.id == key for key, rule in rules.items())
 
 
 def test_the_worst_finding_comes_first():

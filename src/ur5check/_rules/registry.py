@@ -23,6 +23,6 @@ def all_rules() -> dict[str, Rule]:
     return dict(sorted(rules.items()))
 
 
-def rule_of(id: str) -> Rule:
+def rule_of(rule_id: str) -> Rule:
     """One rule by its id.  Raises KeyError for an id that no rule has."""
-    return all_rules()[id]
+    return all_rules()[rule_id]

@@ -1,4 +1,4 @@
-"""A rule: one record that says what is checked, why it matters, and how the check is known to work."""
+"""A rule: what is checked, why it matters, and an example that it refuses, in one record."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ class Rule:
     severity : of its findings, at most
     checks : what is checked, in one sentence
     why : why it matters, and what a simulator or controller does with it
-    bad, good : what the rule refuses and what it accepts: a file's text (of the format `example`), or
-        words where the example is a pair of files or a recording
+    bad, good : what the rule refuses and what it accepts: a file's text (of the format `example`),
+        or words where the example is a pair of files or a recording
     fix : what to do
     report : the public report that shows it (address or citation), "" where there is none
     check : yields findings of a subject; None where the check is part of reading or comparing
