@@ -34,6 +34,7 @@ INNER = {
     "_comparison/diagnosis",
     "_comparison/explanation",
     "_comparison/identifiability",
+    "_comparison/plausibility",
     "_comparison/rounding",
     "_comparison/worst_case",
     "_dynamics/compiled",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from ur5check._rules.finding import Finding, Place, worst_first
+from ur5check._finding import Finding, Place, worst_first
 from ur5check._rules.registry import all_rules
 from ur5check._rules.rule import Rule
 

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from .._robot.states import MAX_ACCELERATION, States
-from .._rules.plausibility import Plausibility, plausibility
 from .attribution_detail import TermAttribution, by_term
 from .diagnosis.diagnosis import Diagnosis, diagnose
 from .difference import Difference
 from .identifiability.equivalence import Equivalence, equivalence
 from .identifiability.identifiability import Identifiability, identify
+from .plausibility.plausibility import Plausibility, plausibility
 from .rounding.error_budget import ErrorBudget, budget
 from .worst_case.worst_case import WorstCase, worst_cases
 

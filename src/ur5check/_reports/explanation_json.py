@@ -11,9 +11,9 @@ from .._comparison.arm_pair import Side
 from .._comparison.attribution import Attribution
 from .._comparison.diagnosis.diagnosis import Diagnosis
 from .._comparison.explanation import Explanation
+from .._comparison.plausibility.plausible_body import Plausibility
 from .._comparison.rounding.error_budget import ErrorBudget
 from .._comparison.worst_case.worst_case import WorstCase
-from .._rules.plausible_body import Plausibility
 from .explanation_summary import removed, summarize
 from .json_values import Report
 

@@ -1,1 +1,1 @@
-"""Could a link of this size weigh this much and turn this hard?  Findings, not failures."""
+"""Rules: what can be wrong with a model, one record each, one file a family."""

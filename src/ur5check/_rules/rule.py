@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from .finding import Finding, Severity
+from .._finding import Finding, Severity
 
 __all__ = ["FAMILIES", "Family", "Rule"]
 

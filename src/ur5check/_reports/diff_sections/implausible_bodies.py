@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..._comparison.explanation import Explanation
-from ..._rules.plausible_body import Plausibility, Severity
+from ..._comparison.plausibility.plausible_body import Plausibility, Severity
 from ..document import Column, Row, Section, Table
 from ..wording import figures
 

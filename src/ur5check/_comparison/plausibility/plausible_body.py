@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from .._robot.serial_arm import Link
+from ..._robot.serial_arm import Link
 
 __all__ = ["Plausibility", "Severity", "body_findings"]
 

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
-from .._io.meshes.mesh_shapes import Shape
-from .._robot.inertia import Inertia
-from .._robot.serial_arm import Link
-from .._robot.transforms import Array
+from ..._io.meshes.mesh_shapes import Shape
+from ..._robot.inertia import Inertia
+from ..._robot.serial_arm import Link
+from ..._robot.transforms import Array
 from .plausible_body import Plausibility, Severity
 
 __all__ = ["extent_findings"]

@@ -11,11 +11,11 @@ from scipy.spatial import ConvexHull
 
 import ur5check
 from ur5check import strategies as ur5
+from ur5check._comparison.plausibility.plausibility import plausibility
+from ur5check._comparison.plausibility.plausible_body import body_findings
+from ur5check._comparison.plausibility.plausible_extent import _even_tensor
 from ur5check._io.meshes.mesh_shapes import Meshes, Shape
 from ur5check._robot import Inertia, Joint, Link, SerialArm, Transform
-from ur5check._rules.plausibility import plausibility
-from ur5check._rules.plausible_body import body_findings
-from ur5check._rules.plausible_extent import _even_tensor
 
 SIZE = np.array([0.1, 0.1, 0.5])
 CORNERS = np.array(np.meshgrid(*[[-0.5, 0.5]] * 3)).reshape(3, -1).T * SIZE

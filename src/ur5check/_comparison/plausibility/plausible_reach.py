@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._robot.serial_arm import Link, SerialArm
-from .._robot.transforms import Array
+from ..._robot.serial_arm import Link, SerialArm
+from ..._robot.transforms import Array
 from .plausible_body import Plausibility
 
 __all__ = ["reach_findings", "whole_findings"]

@@ -18,8 +18,8 @@ weaker.
 
 from __future__ import annotations
 
-from .._io.meshes.mesh_shapes import Meshes, link_meshes
-from .._robot.serial_arm import SerialArm
+from ..._io.meshes.mesh_shapes import Meshes, link_meshes
+from ..._robot.serial_arm import SerialArm
 from .plausible_body import Plausibility, body_findings
 from .plausible_extent import extent_findings
 from .plausible_reach import reach_findings, whole_findings

@@ -1,0 +1,1 @@
+"""Whether a link of this size could have this mass and inertia: findings, not failures."""
