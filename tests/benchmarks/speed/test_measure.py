@@ -1,17 +1,17 @@
-"""A benchmark compares like with like: all contestants are there, and find the same torques."""
+"""All contestants take part in a benchmark and compute the same torques."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
+from speed.measure import QUESTIONS, measure
+from speed.memory import copy_of
+from speed.pinocchio_calls import PinocchioCalls
+from speed.random_chain import chain
+from speed.result import Benchmark
+from speed.summary import summarize
 
 import ur5check
-from ur5check._benchmarking.benchmark import QUESTIONS, bench
-from ur5check._benchmarking.growth import chain
-from ur5check._benchmarking.memory import copy_of
-from ur5check._benchmarking.pinocchio_calls import PinocchioCalls
-from ur5check._benchmarking.result import Benchmark
-from ur5check._benchmarking.summary import summarize
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._robot.states import random_states
@@ -31,25 +31,25 @@ CONTESTANTS = [
     "pin.rneaInParallel, 2 threads",
     "kernel by LLVM, 2 threads",
 ]
-#: Torques of some 1e2 N m, each a sum of about 300 roundings; the issue's own bound.
+#: Torques of about 1e2 N m, each with about 300 roundings [N m].
 SAME = 1e-11
 
 
-def test_everybody_computes_torques(found: Benchmark) -> None:
+def test_all_contestants_compute_torques(found: Benchmark) -> None:
     torques = found.comparison("torques")
     assert torques is not None
     names = [timing.name.replace("on gpu", "on cpu") for timing in torques.timings]
     assert names == CONTESTANTS
 
 
-def test_everybody_finds_the_same_torques(found: Benchmark) -> None:
+def test_all_contestants_find_the_same_torques(found: Benchmark) -> None:
     compared = [
-        (chapter.key, timing.name, timing.off)
+        (chapter.key, timing.name, timing.deviation)
         for chapter in found.chapters
         if chapter.key in ("torques", "states", "joints")
         for comparison in chapter.comparisons
         for timing in comparison.timings
-        if timing.off is not None
+        if timing.deviation is not None
     ]
     assert len(compared) > 10
     assert [entry for entry in compared if entry[2] > SAME] == []
@@ -99,7 +99,7 @@ def test_every_matrix_has_its_loop(found: Benchmark) -> None:
         assert len(comparison.timings) == 4
 
 
-def test_a_longer_arm_is_the_same_for_everybody_who_asks() -> None:
+def test_a_random_chain_depends_on_its_seed_alone() -> None:
     assert np.array_equal(chain(3, 0).parameters(), chain(3, 0).parameters())
     assert not np.array_equal(chain(3, 0).parameters(), chain(3, 1).parameters())
     for link in chain(8, 0).links:
@@ -113,8 +113,8 @@ def test_operations_are_counted(found: Benchmark) -> None:
     assert all(c.generated.total < c.as_written.total for c in counts.values())
 
 
-def test_the_story_has_the_ratio(found: Benchmark) -> None:
-    said = summarize(found)
+def test_the_summary_has_the_ratio(found: Benchmark) -> None:
+    sentences = summarize(found)
     torques = found.comparison("torques")
     assert torques is not None
     pin, llvm = (
@@ -123,26 +123,28 @@ def test_the_story_has_the_ratio(found: Benchmark) -> None:
     )
     assert pin is not None
     assert llvm is not None
-    assert f"The kernel by LLVM: {pin / llvm:.3g} times as fast as pin.rneaInParallel" in said[0]
-    assert any(" operations" in sentence for sentence in said)
+    assert (
+        f"The kernel by LLVM: {pin / llvm:.3g} times as fast as pin.rneaInParallel" in sentences[0]
+    )
+    assert any(" operations" in sentence for sentence in sentences)
 
 
-def test_only_what_was_asked_is_measured(found: Benchmark) -> None:
+def test_only_the_selected_is_measured(found: Benchmark) -> None:
     assert {chapter.key for chapter in found.chapters} | {"operations"} == set(MEASURED)
     assert found.profiles == ()
     assert set(MEASURED) < set(QUESTIONS)
 
 
 @pytest.mark.parametrize(
-    ("wrong", "said"),
+    ("wrong", "message"),
     [
-        ({"only": ["speed"]}, "'speed' is no question; choose from torques"),
+        ({"only": ["speed"]}, "'speed' is not measured; choose from torques"),
         ({"states": 0}, "states must be at least 1, not 0"),
         ({"rounds": 0}, "rounds must be at least 1"),
         ({"threads": -1}, "threads must be at least 1"),
         ({"lengths": [0]}, "lengths and up_to must be at least 1"),
     ],
 )
-def test_nonsense_is_refused(wrong: dict[str, object], said: str) -> None:
-    with pytest.raises(UsageError, match=said):
-        bench(ur5check.load("paper"), **wrong)  # type: ignore[arg-type]
+def test_bad_arguments_are_refused(wrong: dict[str, object], message: str) -> None:
+    with pytest.raises(UsageError, match=message):
+        measure(ur5check.load("paper"), **wrong)  # type: ignore[arg-type]

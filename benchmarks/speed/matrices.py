@@ -7,20 +7,21 @@ from typing import Any
 
 import numpy as np
 
-from .._dynamics import equations, regressor
-from .._dynamics.compiled import kernel
-from .._robot.serial_arm import SerialArm
-from .._robot.states import States
+from ur5check._dynamics import equations, regressor
+from ur5check._dynamics.compiled import kernel
+from ur5check._robot.serial_arm import SerialArm
+from ur5check._robot.states import States
+
+from .inverse_dynamics import LLVM, NUMPY, with_threads
 from .pinocchio_calls import PinocchioCalls
 from .result import Chapter, Comparison
 from .timing import Contestant, race
-from .torques import LLVM, NUMPY, with_threads
 
 __all__ = ["matrices"]
 
-_MOST = 20_000  # states: a regressor of each is 58 MB
+_MOST = 20_000  # states: their regressors are 58 MB
 
-#: What Pinocchio calls it, our recursion, the kernel's method, and what they take.
+#: Pinocchio's name, our function, the kernel's method, their arguments.
 _QUANTITIES: dict[str, tuple[str, Callable[..., Any], str, tuple[str, ...]]] = {
     "mass matrix": ("pin.crba", equations.mass_matrix, "mass_matrix", ("q",)),
     "Coriolis matrix": (
@@ -45,7 +46,7 @@ _QUANTITIES: dict[str, tuple[str, Callable[..., Any], str, tuple[str, ...]]] = {
 
 
 def matrices(arm: SerialArm, states: States, rounds: int) -> Chapter:
-    """One comparison a quantity, on one thread."""
+    """One comparison per quantity, on one thread."""
     few = States(*(part[:_MOST] for part in (states.q, states.qd, states.qdd)))
     calls = PinocchioCalls(arm, few, 1)
     return Chapter(
@@ -68,14 +69,14 @@ def _compared(arm: SerialArm, calls: PinocchioCalls, name: str, rounds: int) -> 
     if kernel.default_path() == "llvm":
         made.append((LLVM, kernel.compile(arm, path="llvm")))
     generated = [
-        Contestant(with_threads(title, 1), _filled(asked, method, given), count)
-        for title, asked in made
+        Contestant(with_threads(title, 1), _filled(compiled, method, given), count)
+        for title, compiled in made
     ]
     return race(name, [loop, ours, *generated], rounds)
 
 
-def _filled(asked: kernel.Kernel, method: str, given: list[Any]) -> Callable[[], Any]:
-    """Into an array that is there already."""
-    ask = getattr(asked, method)
+def _filled(compiled: kernel.Kernel, method: str, given: list[Any]) -> Callable[[], Any]:
+    """Into an existing array."""
+    ask = getattr(compiled, method)
     out = np.empty_like(ask(*given))
     return lambda: ask(*given, out=out)

@@ -1,35 +1,36 @@
-"""`ur5check bench`: every question, one after the other."""
+"""Runs the measurements one after the other."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from .._errors import UsageError
-from .._robot.serial_arm import SerialArm
-from .._robot.states import States, random_states
-from .commands import profiles
+from ur5check._errors import UsageError
+from ur5check._robot.serial_arm import SerialArm
+from ur5check._robot.states import States, random_states
+
+from .command_profiles import profiles
 from .first_use import first_use
 from .growth import joints, numbers_of_states
+from .inverse_dynamics import inverse_dynamics
 from .machine import machine, versions
 from .matrices import matrices
 from .memory import memory
 from .operations import operations
 from .result import Benchmark, Chapter
 from .start_up import start_up
-from .torques import inverse_dynamics
 
-__all__ = ["QUESTIONS", "bench"]
+__all__ = ["QUESTIONS", "measure"]
 
 _OPERATIONS, _COMMANDS = "operations", "commands"
 
-#: What can be asked for by name, in the order in which it is measured.
+#: Names of the measurements, in the order in which they run.
 QUESTIONS = (
     "torques", "memory", "matrices", "states", "joints", "first-use", "start-up",
     _OPERATIONS, _COMMANDS,
 )  # fmt: skip
 
 
-def bench(
+def measure(
     arm: SerialArm,
     *,
     only: Collection[str] = (),
@@ -41,16 +42,18 @@ def bench(
     seed: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Benchmark:
-    """Measure, on an arm under its own gravity.
+    """Measure an arm under its own gravity.
 
-    only : keys of the questions to ask; all when empty
-    states : that torques are computed at;  rounds : whose median is taken
-    threads : beside one
-    lengths : joints of the longer arms;  up_to : states in one call, at most
-    seed : of states and of the longer arms
-    progress : is told, in a sentence, what is measured next
+    only : names of the measurements to run; all when empty
+    states : number at which torques are computed
+    rounds : number of timings, whose median is reported
+    threads : measured beside one thread
+    lengths : numbers of joints of the longer arms
+    up_to : largest number of states in one call
+    seed : of the states and the longer arms
+    progress : called with a sentence before each measurement
 
-    Raises UsageError for a number below 1, or a question that there is none of.
+    Raises UsageError for a number below 1 or an unknown measurement.
     """
     for name, value in {"states": states, "rounds": rounds, "threads": threads}.items():
         if value < 1:
@@ -58,11 +61,11 @@ def bench(
     if min(lengths, default=1) < 1 or up_to < 1:
         raise UsageError("lengths and up_to must be at least 1")
     if unknown := [key for key in only if key not in QUESTIONS]:
-        raise UsageError(f"{unknown[0]!r} is no question; choose from {', '.join(QUESTIONS)}")
+        raise UsageError(f"{unknown[0]!r} is not measured; choose from {', '.join(QUESTIONS)}")
     say = progress or (lambda line: None)
     drawn = random_states(arm.n, states, seed)
 
-    def asked(key: str) -> bool:
+    def selected(key: str) -> bool:
         if only and key not in only:
             return False
         say(f"measuring {key}")
@@ -77,9 +80,9 @@ def bench(
         rounds,
         threads,
         seed,
-        tuple(question() for key, question in questions.items() if asked(key)),
-        operations(arm, lengths, seed) if asked(_OPERATIONS) else (),
-        profiles(rounds) if asked(_COMMANDS) else (),
+        tuple(question() for key, question in questions.items() if selected(key)),
+        operations(arm, lengths, seed) if selected(_OPERATIONS) else (),
+        profiles(rounds) if selected(_COMMANDS) else (),
     )
 
 

@@ -1,4 +1,4 @@
-"""What the figures depend on; no name of the machine, no date."""
+"""Processor, cores, system and versions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _MEASURED = ("numpy", "llvmlite", "numba", "jax", "pin", "mujoco", "drake")
 
 
 def machine() -> dict[str, str | int]:
-    """Processor, cores that this process may use, system."""
+    """Processor, number of cores that this process may use, system."""
     if hasattr(os, "sched_getaffinity"):
         cores = len(os.sched_getaffinity(0))
     else:
@@ -22,7 +22,7 @@ def machine() -> dict[str, str | int]:
 
 
 def versions() -> dict[str, str]:
-    """Python's, and those of what is measured beside ur5check, and here."""
+    """Of Python and the measured libraries that are installed."""
     found = {"python": platform.python_version()}
     for name in _MEASURED:
         try:

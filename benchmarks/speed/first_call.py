@@ -1,9 +1,9 @@
-"""The process whose first call `first_use` times.
+"""The process in which `first_use` times the first call of a kernel.
 
-    python -m ur5check._benchmarking.first_call rnea < ARM
+    python benchmarks/speed/first_call.py rnea < ARM
 
-reads a pickled arm and prints, as JSON, how long NumPy took to import, and how long it took
-from there to the first result [s].
+reads a pickled arm and prints two times as JSON: of the import of NumPy, and from there to the
+first result [s].
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _ARGUMENTS = {"rnea": 3, "mass_matrix": 1, "coriolis_matrix": 2, "gravity_torque
 
 
 def main(quantity: str) -> tuple[float, float]:
-    """Both times."""
+    """Time of NumPy's import, and of the first result after it [s]."""
     began = perf_counter()
     import numpy as np
 
@@ -25,11 +25,11 @@ def main(quantity: str) -> tuple[float, float]:
     arm = pickle.load(sys.stdin.buffer)  # noqa: S301 - from the process that started this one
     state = np.zeros((_ARGUMENTS.get(quantity, 3), 1, arm.n))
     ready = perf_counter()
-    from .._dynamics.compiled import kernel
+    from ur5check._dynamics.compiled import kernel
 
     getattr(kernel.compile(arm), quantity)(*state)
     return imported - began, perf_counter() - ready
 
 
 if __name__ == "__main__":
-    print(json.dumps(main(sys.argv[1])))  # noqa: T201
+    print(json.dumps(main(sys.argv[1])))

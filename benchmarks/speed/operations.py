@@ -1,13 +1,14 @@
-"""What a state costs on paper: multiplications and additions, before and after generation."""
+"""Multiplications and additions at one state, in the recursion and in the generated program."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .._dynamics.symbolic.quantities import Quantity
-from .._dynamics.symbolic.trace import as_written, trace
-from .._robot.serial_arm import SerialArm
-from .growth import chain
+from ur5check._dynamics.symbolic.quantities import Quantity
+from ur5check._dynamics.symbolic.trace import as_written, trace
+from ur5check._robot.serial_arm import SerialArm
+
+from .random_chain import chain
 from .result import OperationCount
 
 __all__ = ["operations"]

@@ -1,6 +1,6 @@
 """Pinocchio as its users call it: a Python loop over states, or its own parallel loop.
 
-Loops keep no result, which spares them a copy a state: nobody is to say they were slowed down.
+The loops keep no result, which saves Pinocchio a copy per state.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from .._engines.pinocchio import PinocchioEngine
-from .._robot.serial_arm import SerialArm, Source
-from .._robot.states import States
-from .._robot.transforms import Array
+from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._robot.serial_arm import SerialArm, Source
+from ur5check._robot.states import States
+from ur5check._robot.transforms import Array
 
 __all__ = ["PinocchioCalls"]
 
@@ -60,9 +60,10 @@ _ARGUMENTS = {
 
 
 def _model(arm: SerialArm) -> Any:
-    """From the arm's own file, whose axes along x, y or z Pinocchio has faster joints for.
+    """From the arm's own file, where possible: Pinocchio has faster joints for axes along x, y, z.
 
-    An arm whose q is not Pinocchio's (continuous joints, another order) goes joint by joint.
+    An arm whose q differs from Pinocchio's (continuous joints, another order) is built joint by
+    joint.
     """
     model = PinocchioEngine(arm).model
     if model.nq == arm.n and list(model.names)[1:] == list(arm.joint_names):

@@ -1,16 +1,16 @@
-"""What a benchmark found, as values.
+"""Results of a benchmark.
 
-Benchmark ── Chapter ── Comparison ── Timing     times that were taken in turns
-          ├─ OperationCount                      what a state costs on paper
-          └─ Profile                             where a command's time goes
+Benchmark ── Chapter ── Comparison ── Timing     timed in turns
+          ├─ OperationCount                      operations at one state
+          └─ Profile                             the time of a command, by part
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .._dynamics.symbolic.program import Operations
-from .._robot.serial_arm import SerialArm
+from ur5check._dynamics.symbolic.program import Operations
+from ur5check._robot.serial_arm import SerialArm
 
 __all__ = ["Benchmark", "Chapter", "Comparison", "OperationCount", "Profile", "Timing"]
 
@@ -21,23 +21,23 @@ class Timing:
 
     seconds : median over the rounds, for one unit of the chapter [s]
     spread : half the rounds lie within so much of each other, as a share of the median
-    speed : how many times as fast as the first of the comparison
-    off : largest distance from the first result of the comparison, in that result's own unit; None
-        where there is nothing to compare
+    speed : ratio to the first contestant of the comparison
+    deviation : largest difference from the first contestant's result, in its unit; None where
+        there is no result to compare
     """
 
     name: str
     seconds: float
     spread: float
     speed: float
-    off: float | None = None
+    deviation: float | None = None
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Contestants at the same work.
+    """Contestants that do the same work.
 
-    subject : which work, where a chapter has several ("mass matrix", "12 joints")
+    subject : the work, where a chapter has several ("mass matrix", "12 joints")
     """
 
     subject: str
@@ -50,17 +50,17 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Chapter:
-    """One question.
+    """One measurement.
 
-    unit : what a time is for ("state", "run")
-    said : how it was measured, in sentences
-    series : whether its comparisons are one, at growing sizes
+    unit : of a time ("state", "process")
+    method : how it was measured, in sentences
+    series : whether its comparisons are one at growing sizes
     """
 
     key: str
     title: str
     unit: str
-    said: str
+    method: str
     comparisons: tuple[Comparison, ...]
     series: bool = False
 
@@ -87,8 +87,8 @@ class Profile:
 class Benchmark:
     """Everything that was measured, in one run on one machine.
 
-    machine : its processor, cores and system;  versions : of what was measured
-    states, rounds, threads, seed : what was asked for
+    machine : its processor, cores and system;  versions : of the measured libraries
+    states, rounds, threads, seed : the options
     """
 
     arm: SerialArm
@@ -103,7 +103,7 @@ class Benchmark:
     profiles: tuple[Profile, ...]
 
     def comparison(self, key: str, subject: str = "") -> Comparison | None:
-        """One of them; None if it was not measured."""
+        """The comparison of a chapter; None if it was not measured."""
         for chapter in self.chapters:
             for comparison in chapter.comparisons:
                 if chapter.key == key and comparison.subject == subject:

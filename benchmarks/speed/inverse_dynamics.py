@@ -1,4 +1,4 @@
-"""Who computes inverse dynamics, and how to ask them for the same states."""
+"""Inverse dynamics of the same states by Pinocchio, the recursion, kernels, JAX, MuJoCo, Drake."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from .._dynamics.compiled import kernel
-from .._dynamics.recursion import rnea
-from .._engines.registry import REGISTRY, installed, make_engine
-from .._errors import EngineError
-from .._robot.serial_arm import SerialArm, Source
-from .._robot.states import States
-from .._robot.transforms import Array
+from ur5check._dynamics.compiled import kernel
+from ur5check._dynamics.recursion import rnea
+from ur5check._engines.registry import REGISTRY, installed, make_engine
+from ur5check._errors import EngineError
+from ur5check._robot.serial_arm import SerialArm, Source
+from ur5check._robot.states import States
+from ur5check._robot.transforms import Array
+
 from .jax_calls import jax_contestant
 from .pinocchio_calls import PinocchioCalls
 from .result import Chapter
@@ -40,13 +41,13 @@ RECURSION = "ur5check.rnea"
 NUMPY, LLVM = "kernel on NumPy", "kernel by LLVM"
 TRANSPOSED = "kernel by LLVM, arrays (n, N)"
 
-#: A loop costs the same a state however long it is; these are as many as it is asked.
+#: The time per state of a Python loop does not depend on its length; these are enough states.
 _IN_A_LOOP, _IN_A_SLOW_LOOP = 100_000, 5_000
 _OTHERS = ("mujoco", "drake")
 
 
 def inverse_dynamics(arm: SerialArm, states: States, threads: int, rounds: int) -> Chapter:
-    """Everybody, side by side."""
+    """All contestants in one comparison."""
     calls, count = PinocchioCalls(arm, states, threads), len(states.q)
     contestants = [
         parallel(calls, 1),
@@ -64,14 +65,14 @@ def inverse_dynamics(arm: SerialArm, states: States, threads: int, rounds: int) 
         "Inverse dynamics",
         "state",
         f"{count:,} states; {min(count, _IN_A_LOOP):,} for the loop over Pinocchio, "
-        f"{min(count, _IN_A_SLOW_LOOP):,} for those over other engines. Results go to arrays that "
-        "are there already.",
+        f"{min(count, _IN_A_SLOW_LOOP):,} for those over other engines. Results go to "
+        "existing arrays.",
         (race("", contestants, rounds),),
     )
 
 
 def with_threads(name: str, threads: int) -> str:
-    """The name of a contestant that shares its states among threads."""
+    """The name of a contestant with so many threads."""
     return f"{name}, {threads} thread{'s' if threads > 1 else ''}"
 
 
@@ -89,7 +90,7 @@ def pinocchio_loop(calls: PinocchioCalls) -> Contestant:
 
 
 def recursion(arm: SerialArm, states: States) -> Contestant:
-    """The hand-written recursion, a block of states at a time."""
+    """The hand-written recursion, on blocks of states."""
     return Contestant(RECURSION, lambda: rnea(arm, states.q, states.qd, states.qdd), len(states.q))
 
 
@@ -105,28 +106,25 @@ def kernels(arm: SerialArm, states: States, threads: int = 1) -> list[Contestant
 
 
 def _kernel(arm: SerialArm, states: States, threads: int, path: kernel.Path) -> Callable[[], Array]:
-    ask, out = kernel.compile(arm, threads, path=path).rnea, np.empty_like(states.q)
-    return lambda: ask(states.q, states.qd, states.qdd, out=out)
+    compute, out = kernel.compile(arm, threads, path=path).rnea, np.empty_like(states.q)
+    return lambda: compute(states.q, states.qd, states.qdd, out=out)
 
 
 def _transposed(arm: SerialArm, states: States) -> list[Contestant]:
-    """The kernel on arrays of one row a joint."""
+    """The kernel on arrays with one row per joint."""
     if kernel.default_path() != "llvm":
         return []
     rows = [np.ascontiguousarray(part.T) for part in (states.q, states.qd, states.qdd)]
-    ask, out = kernel.compile(arm, path="llvm").rnea, np.empty_like(rows[0])
+    compute, out = kernel.compile(arm, path="llvm").rnea, np.empty_like(rows[0])
 
     def run() -> Array:
-        return ask(*rows, layout="joints", out=out).T
+        return compute(*rows, layout="joints", out=out).T
 
     return [Contestant(with_threads(TRANSPOSED, 1), run, len(states.q))]
 
 
 def _other_engines(arm: SerialArm, states: States) -> list[Contestant]:
-    """Those that are here and can take the arm.
-
-    It is handed over joint by joint: how they read a file is no question of speed.
-    """
+    """Installed engines that accept the arm (built joint by joint, not read from a file)."""
     found = []
     few = [part[:_IN_A_SLOW_LOOP] for part in (states.q, states.qd, states.qdd)]
     for key in _OTHERS:
@@ -136,7 +134,7 @@ def _other_engines(arm: SerialArm, states: States) -> list[Contestant]:
             engine = make_engine(key, replace(arm, source=Source()))
         except EngineError:
             continue
-        ask = engine.inverse_dynamics
+        compute = engine.inverse_dynamics
         name = f"Python loop over {REGISTRY[key].title}"
-        found.append(Contestant(name, lambda ask=ask: ask(*few), len(few[0])))  # type: ignore[misc]
+        found.append(Contestant(name, lambda compute=compute: compute(*few), len(few[0])))
     return found

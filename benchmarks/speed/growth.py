@@ -1,4 +1,4 @@
-"""What a torque costs as the arm grows longer, and as more states are asked for at once."""
+"""The time of inverse dynamics against the number of joints, and of states in one call."""
 
 from __future__ import annotations
 
@@ -6,27 +6,26 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
+from ur5check._io.loading import load
+from ur5check._io.urdf.urdf_writer import urdf_of
+from ur5check._robot.serial_arm import SerialArm
+from ur5check._robot.states import States, random_states
+from ur5check._robot.transforms import Array
 
-from .._io.loading import load
-from .._io.urdf.urdf_writer import urdf_of
-from .._robot.inertia import Inertia
-from .._robot.serial_arm import Joint, Link, SerialArm
-from .._robot.states import States, random_states
-from .._robot.transforms import Array, Transform
+from .inverse_dynamics import kernels, parallel, pinocchio_loop, recursion
 from .pinocchio_calls import PinocchioCalls
+from .random_chain import chain
 from .result import Chapter, Comparison
 from .timing import Contestant, race
-from .torques import kernels, parallel, pinocchio_loop, recursion
 
-__all__ = ["chain", "joints", "numbers_of_states"]
+__all__ = ["joints", "numbers_of_states"]
 
 _FEW = 10_000  # states: enough for a long chain
-_AT_LEAST = 1_000  # states a timing, or the clock's own grain would show
+_AT_LEAST = 1_000  # states in a timing, well above the resolution of the clock
 
 
 def joints(lengths: Sequence[int], seed: int, rounds: int) -> Chapter:
-    """One comparison a number of joints."""
+    """One comparison per number of joints."""
     return Chapter(
         "joints",
         "Longer arms",
@@ -38,41 +37,16 @@ def joints(lengths: Sequence[int], seed: int, rounds: int) -> Chapter:
 
 
 def numbers_of_states(arm: SerialArm, most: int, seed: int, rounds: int) -> Chapter:
-    """One comparison a power of ten, up to `most` states in one call."""
+    """One comparison per power of ten, up to `most` states in one call."""
     counts = [10**k for k in range(len(str(most)))]
     return Chapter(
         "states",
         "One state, and many",
         "state",
-        "States that are asked for in one call, on one thread.",
+        "States passed in one call; one thread.",
         tuple(_with_states(arm, count, seed, rounds) for count in counts),
         series=True,
     )
-
-
-def chain(n: int, seed: int) -> SerialArm:
-    """A chain of n joints about z, each link a possible body, in no particular frames."""
-    rng = np.random.default_rng((seed, n))
-    links = []
-    for i in range(1, n + 1):
-        points = rng.normal(size=(4, 3)) * 0.1  # a quarter of the mass in each
-        links.append(
-            Link(
-                f"link_{i}",
-                Transform.from_rpy(
-                    rng.normal(size=3) * 0.3, rng.uniform(-np.pi, np.pi, 3).tolist()
-                ),
-                _body(rng.uniform(0.5, 5.0), points),
-            )
-        )
-    turning = [Joint(f"joint_{i}", np.array([0.0, 0.0, 1.0])) for i in range(1, n + 1)]
-    return SerialArm(f"chain of {n}", tuple(turning), tuple(links))
-
-
-def _body(mass: float, points: Array) -> Inertia:
-    com = points.mean(axis=0)
-    second_moment = mass * np.cov(points.T, bias=True)
-    return Inertia(mass, com, np.trace(second_moment) * np.eye(3) - second_moment)
 
 
 def _with_joints(n: int, seed: int, rounds: int) -> Comparison:
@@ -100,7 +74,7 @@ def _with_states(arm: SerialArm, count: int, seed: int, rounds: int) -> Comparis
 
 
 def _repeated(contestant: Contestant, again: int) -> Contestant:
-    """So many runs as one."""
+    """`again` runs as one."""
 
     def run() -> Array | None:
         for _ in range(again - 1):

@@ -1,12 +1,11 @@
-"""Where a command's time goes: a thread looks at the main thread's stack every millisecond.
+"""The time of a command by part: a thread samples the main thread's stack every millisecond.
 
-    python -m ur5check._benchmarking.sampled validate --samples 10000
+    python benchmarks/speed/stack_sampler.py validate --samples 10000
 
-runs the command with its report thrown away, and prints seconds per part as JSON.  A profiler that
-counts calls would slow down the reference engines' many small calls and nothing else; looking on
-from outside costs all parts alike.
+runs the command, discards its report, and prints seconds per part as JSON.  A profiler that counts
+calls would slow down the many small calls of the reference engines; sampling slows all parts alike.
 
-A part is the innermost of: an import, or a room of ours that has work of its own (`_ROOMS`).
+A part is the innermost of: an import, or a folder of `_PARTS`.
 """
 
 from __future__ import annotations
@@ -24,24 +23,27 @@ from pathlib import Path
 from time import perf_counter
 from types import FrameType
 
+import ur5check
+
 __all__ = ["sampled"]
 
-#: Rooms by what a user would call their work; the rooms that only put others together have none.
-_ROOMS = {
-    "sources": "reading the models",
-    "engines": "the reference engines",
-    "dynamics": "our recursion",
-    "checks": "laws held against each other",
-    "comparison": "comparison and account",
-    "digits": "what digits cost",
-    "diagnosis": "known mistakes",
-    "identifiability": "what torque cannot see",
-    "plausibility": "plausible bodies",
-    "worst_case": "climbing to the worst case",
-    "reports": "the report",
+#: Folder of the package to the name of its work; an inner folder counts before its parent.
+_PARTS = {
+    "_io": "reading the models",
+    "_engines": "reference engines",
+    "_dynamics": "recursion",
+    "_rules": "rules",
+    "_validation": "laws",
+    "_comparison": "comparison",
+    "_comparison/diagnosis": "known mistakes",
+    "_comparison/identifiability": "identifiability",
+    "_comparison/plausibility": "plausibility",
+    "_comparison/rounding": "rounding",
+    "_comparison/worst_case": "worst case",
+    "_reports": "report",
 }
 _IMPORTS, _OTHER = "imports", "other"
-_PACKAGE = Path(__file__).parents[1]
+_PACKAGE = Path(ur5check.__file__).parent
 _INSIDE = f"{_PACKAGE}{os.sep}"
 _EVERY = 1e-3  # [s]
 
@@ -60,7 +62,7 @@ def sampled(arguments: Sequence[str]) -> dict[str, float]:
         while not done.wait(_EVERY):
             part = _part(sys._current_frames().get(main_thread))
             now = perf_counter()
-            spent[part] += now - before  # code that held Python's lock kept us waiting: it counts
+            spent[part] += now - before  # includes time spent waiting for the GIL
             before = now
 
     interval = sys.getswitchinterval()
@@ -91,7 +93,7 @@ def _run(arguments: Sequence[str]) -> None:
 
 
 def _part(frame: FrameType | None) -> str:
-    """What this stack is busy with, from the innermost frame outwards."""
+    """The part a stack belongs to, from the innermost frame outwards."""
     while frame is not None:
         file, name = frame.f_code.co_filename, frame.f_code.co_name
         if file.startswith("<frozen importlib"):
@@ -99,12 +101,13 @@ def _part(frame: FrameType | None) -> str:
         if file.startswith(_INSIDE):
             if name == "<module>":
                 return _IMPORTS
-            room = Path(file).relative_to(_PACKAGE).parts[0]
-            if room in _ROOMS:
-                return _ROOMS[room]
+            top, *rest = Path(file).relative_to(_PACKAGE).parts
+            part = _PARTS.get(f"{top}/{rest[0]}" if rest else top) or _PARTS.get(top)
+            if part is not None:
+                return part
         frame = frame.f_back
     return _OTHER
 
 
 if __name__ == "__main__":
-    print(json.dumps(sampled(sys.argv[1:])))  # noqa: T201
+    print(json.dumps(sampled(sys.argv[1:])))

@@ -11,7 +11,7 @@ from .timing import Contestant, race
 
 __all__ = ["start_up"]
 
-_ATTEMPTS = 3  # processes a round: they take a few hundredths of a second, and scatter
+_ATTEMPTS = 3  # processes per round: each takes a few hundredths of a second, with scatter
 
 
 def start_up(rounds: int) -> Chapter:
@@ -35,6 +35,6 @@ def _process(name: str, words: list[str]) -> Contestant:
 def _started(words: list[str]) -> Callable[[], None]:
     def run() -> None:
         for _ in range(_ATTEMPTS):
-            subprocess.run(words, check=True, stdout=subprocess.DEVNULL)  # noqa: S603 - our own
+            subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
 
     return run

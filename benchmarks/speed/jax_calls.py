@@ -1,4 +1,4 @@
-"""The straight line under JAX, jitted and mapped over states, on whatever device JAX prefers."""
+"""The generated program under JAX: jitted, mapped over states, on JAX's default device."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from .._dynamics.compiled.jax_function import jax_rnea
-from .._robot.serial_arm import SerialArm
-from .._robot.states import States
-from .._robot.transforms import Array
+from ur5check._dynamics.compiled.jax_function import jax_rnea
+from ur5check._robot.serial_arm import SerialArm
+from ur5check._robot.states import States
+from ur5check._robot.transforms import Array
+
 from .timing import Contestant
 
 __all__ = ["jax_contestant"]
@@ -19,7 +20,7 @@ __all__ = ["jax_contestant"]
 def jax_contestant(arm: SerialArm, states: States) -> Contestant | None:
     """None where JAX is not installed.
 
-    Arrays lie on the device before the clock starts; what is timed ends when the result is there.
+    The inputs are on the device before the timing starts; it ends when the result is ready.
     """
     try:
         metadata.version("jax")
@@ -27,7 +28,7 @@ def jax_contestant(arm: SerialArm, states: States) -> Contestant | None:
         return None
     import jax
 
-    # 64 bits in this block and in each run only: how JAX computes elsewhere is the caller's own.
+    # 64 bits in this block and in each run only: JAX's setting elsewhere is left alone.
     with jax.enable_x64(True):
         torques = jax.jit(jax.vmap(jax_rnea(arm)))
         given: list[Any] = [jax.device_put(part) for part in (states.q, states.qd, states.qdd)]

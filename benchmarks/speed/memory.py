@@ -1,7 +1,7 @@
-"""How far from the limit that memory sets: a copy that moves as many bytes as a torque does.
+"""The limit set by memory: a copy of as many bytes as inverse dynamics reads and writes.
 
-A state of n joints is 3 n numbers in and n out, 144 + 48 bytes for six.  A copy reads and writes as
-much, so the copy of 2 n numbers moves the same bytes.  What it takes, no code can undercut.
+A state of n joints is 3 n numbers in and n out, 144 + 48 bytes for six.  A copy of 2 n numbers
+reads and writes as many bytes, so its time is a lower bound.
 """
 
 from __future__ import annotations
@@ -11,12 +11,13 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from .._robot.serial_arm import SerialArm
-from .._robot.states import States
-from .._robot.transforms import Array
+from ur5check._robot.serial_arm import SerialArm
+from ur5check._robot.states import States
+from ur5check._robot.transforms import Array
+
+from .inverse_dynamics import NUMPY, kernels, with_threads
 from .result import Chapter
 from .timing import Contestant, race
-from .torques import NUMPY, kernels, with_threads
 
 __all__ = ["COPY", "copy_of", "memory"]
 
@@ -44,13 +45,13 @@ def memory(arm: SerialArm, states: States, threads: int, rounds: int) -> Chapter
 
 
 def copy_of(q: Array, threads: int) -> tuple[Callable[[], None], Array, Array]:
-    """What copies, from where, to where: as many bytes as `rnea` moves at q, shape (N, n)."""
+    """(the copy, its source, its target), of as many bytes as `rnea` moves at q, shape (N, n)."""
     source = np.concatenate([q, q])
     target = np.zeros_like(source)
     parts = list(zip(np.array_split(source, threads), np.array_split(target, threads), strict=True))
 
     def copied(part: tuple[Array, Array]) -> None:
-        np.copyto(part[1], part[0])  # runs outside Python's lock
+        np.copyto(part[1], part[0])  # releases the GIL
 
     def run() -> None:
         if threads == 1:

@@ -1,4 +1,4 @@
-"""Where the time of `validate` and `diff` goes: imports, reference engines, our side."""
+"""The time of `validate` and `diff` by part: imports, reference engines, recursion, …"""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 import statistics
 import subprocess
 import sys
+from pathlib import Path
 
 from .result import Profile
 
@@ -13,10 +14,11 @@ __all__ = ["COMMANDS", "profiles"]
 
 COMMANDS = ("validate", "diff paper appendix")
 _MOST = 3  # rounds
+_SAMPLER = Path(__file__).with_name("stack_sampler.py")
 
 
 def profiles(rounds: int) -> tuple[Profile, ...]:
-    """Each command in a process of its own, with a sampler looking on (`sampled`)."""
+    """Each command in its own process, under the sampler of `stack_sampler.py`."""
     return tuple(_profile(command, min(rounds, _MOST)) for command in COMMANDS)
 
 
@@ -30,8 +32,8 @@ def _profile(command: str, rounds: int) -> Profile:
 
 
 def _run(command: str) -> dict[str, float]:
-    done = subprocess.run(  # noqa: S603 - this interpreter, a file of ours
-        [sys.executable, "-m", f"{__package__}.sampled", *command.split()],
+    done = subprocess.run(
+        [sys.executable, _SAMPLER, *command.split()],
         stdout=subprocess.PIPE,
         check=True,
     )

@@ -1,4 +1,4 @@
-"""What is measured in processes of their own: start-up, first calls, whole commands."""
+"""Measurements in separate processes: start-up, first calls, whole commands."""
 
 from __future__ import annotations
 
@@ -7,10 +7,13 @@ import subprocess
 import sys
 
 import pytest
+from speed.first_use import COLD, IMPORT, WARM, first_use
+from speed.random_chain import chain
+from speed.start_up import start_up
 
-from ur5check._benchmarking.first_use import COLD, IMPORT, WARM, first_use
-from ur5check._benchmarking.growth import chain
-from ur5check._benchmarking.start_up import start_up
+from repository import REPOSITORY
+
+SAMPLER = REPOSITORY / "benchmarks" / "speed" / "stack_sampler.py"
 
 
 def test_start_up_is_held_against_bare_python() -> None:
@@ -24,7 +27,7 @@ def test_start_up_is_held_against_bare_python() -> None:
 
 
 def test_a_first_call_finds_nothing_and_a_second_finds_code(monkeypatch) -> None:
-    monkeypatch.setattr("ur5check._benchmarking.first_use.FIRST_CALLS", {"torques": "rnea"})
+    monkeypatch.setattr("speed.first_use.FIRST_CALLS", {"torques": "rnea"})
     torques, longer = first_use(chain(1, 0), (2,), 0, 1).comparisons
     assert [timing.name for timing in torques.timings] == [IMPORT, COLD, WARM]
     assert longer.subject == "torques, 2 joints"
@@ -35,7 +38,7 @@ def test_a_first_call_finds_nothing_and_a_second_finds_code(monkeypatch) -> None
 
 
 def sampled(*words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "ur5check._benchmarking.sampled", *words]
+    command = [sys.executable, str(SAMPLER), *words]
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
@@ -44,7 +47,7 @@ def test_the_parts_of_a_command_are_the_whole() -> None:
     spent = json.loads(done.stdout)
     whole = spent.pop("whole")
     assert sum(spent.values()) == pytest.approx(whole, rel=0.1)
-    assert {"imports", "the reference engines", "our recursion"} <= set(spent)
+    assert {"imports", "reference engines", "recursion"} <= set(spent)
 
 
 def test_a_command_that_fails_has_no_profile() -> None:

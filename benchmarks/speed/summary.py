@@ -1,25 +1,25 @@
-"""A benchmark told in sentences, the ratio that most readers came for first."""
+"""The summary of a benchmark in sentences, the ratio to Pinocchio first."""
 
 from __future__ import annotations
 
+from .inverse_dynamics import LLVM, LOOP, NUMPY, PARALLEL, with_threads
 from .memory import COPY
 from .result import Benchmark, Comparison
-from .torques import LLVM, LOOP, NUMPY, PARALLEL, with_threads
 
 __all__ = ["summarize"]
 
 
 def summarize(b: Benchmark) -> list[str]:
-    """What was measured, in as many sentences as there were questions that have an answer."""
-    said = [*_torques(b), *_memory(b), *_operations(b), *_profiles(b)]
-    return [sentence for sentence in said if sentence]
+    """One sentence per measured result."""
+    sentences = [*_torques(b), *_memory(b), *_operations(b), *_profiles(b)]
+    return [sentence for sentence in sentences if sentence]
 
 
 def _torques(b: Benchmark) -> list[str]:
     torques = b.comparison("torques")
     if torques is None:
         return []
-    said = []
+    sentences = []
     for ours in (LLVM, NUMPY):
         faster = [
             f"{ratio:.3g} times as fast as {PARALLEL}, {_threads(number)} each"
@@ -30,9 +30,9 @@ def _torques(b: Benchmark) -> list[str]:
         ]
         if loop := _ratio(torques, LOOP, with_threads(ours, 1)):
             faster.append(f"{loop:.3g} times as fast as a {LOOP}")
-            said.append(f"The {ours}: {', '.join(faster)}.")
-    off = max((t.off for t in torques.timings if t.off is not None), default=None)
-    return [*said, "" if off is None else f"No two differ by more than {off:.1e} N m."]
+            sentences.append(f"The {ours}: {', '.join(faster)}.")
+    largest = max((t.deviation for t in torques.timings if t.deviation is not None), default=None)
+    return [*sentences, "" if largest is None else f"The largest difference is {largest:.1e} N m."]
 
 
 def _memory(b: Benchmark) -> list[str]:
@@ -66,6 +66,6 @@ def _threads(number: int) -> str:
 
 
 def _ratio(comparison: Comparison, slow: str, fast: str) -> float | None:
-    """How many times as fast one is as the other; None if either did not take part."""
+    """Ratio of their times; None if either did not take part."""
     long, short = comparison.seconds(slow), comparison.seconds(fast)
     return long / short if long and short else None

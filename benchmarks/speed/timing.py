@@ -1,4 +1,4 @@
-"""Medians of several rounds in which all take their turn, so that a slow second hits all alike."""
+"""Medians over rounds in which all contestants take turns: a slow second affects all alike."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from time import perf_counter
 
 import numpy as np
 
-from .._robot.transforms import Array
+from ur5check._robot.transforms import Array
+
 from .result import Comparison, Timing
 
 __all__ = ["Contestant", "race", "ranked"]
@@ -17,10 +18,10 @@ __all__ = ["Contestant", "race", "ranked"]
 
 @dataclass(frozen=True)
 class Contestant:
-    """Something that takes time.
+    """Something to be timed.
 
-    run : does it once; returns what it found, one row a unit, or None
-    units : how many states, or other units, one run sees to
+    run : one run; returns its result, one row per unit, or None
+    units : states (or other units) per run
     """
 
     name: str
@@ -29,9 +30,9 @@ class Contestant:
 
 
 def race(subject: str, contestants: Sequence[Contestant], rounds: int) -> Comparison:
-    """Time them, after one run of each that is not timed: it fills caches, and is compared."""
+    """Time them, after an untimed run of each, which fills caches and whose result is compared."""
     found = [contestant.run() for contestant in contestants]
-    offs = [_off(found[0] if len(found) else None, result) for result in found]
+    deviations = [_deviation(found[0] if len(found) else None, result) for result in found]
     del found
     times: list[list[float]] = [[] for _ in contestants]
     for _ in range(rounds):
@@ -39,35 +40,37 @@ def race(subject: str, contestants: Sequence[Contestant], rounds: int) -> Compar
             began = perf_counter()
             contestant.run()
             own.append((perf_counter() - began) / contestant.units)
-    return ranked(subject, [c.name for c in contestants], times, offs)
+    return ranked(subject, [c.name for c in contestants], times, deviations)
 
 
 def ranked(
     subject: str,
     names: Sequence[str],
     times: Sequence[Sequence[float]],
-    offs: Sequence[float | None] | None = None,
+    deviations: Sequence[float | None] | None = None,
 ) -> Comparison:
-    """The same from times that somebody else took, one list a contestant [s]."""
+    """The same from given times, one list per contestant [s]."""
     first = statistics.median(times[0])
     return Comparison(
         subject,
         tuple(
-            Timing(name, median, _spread(own) / median, first / median, off)
-            for name, own, off in zip(names, times, offs or [None] * len(names), strict=True)
+            Timing(name, median, _spread(own) / median, first / median, deviation)
+            for name, own, deviation in zip(
+                names, times, deviations or [None] * len(names), strict=True
+            )
             if (median := statistics.median(own))
         ),
     )
 
 
 def _spread(times: Sequence[float]) -> float:
-    """Distance between the quartiles; no assumption on how times scatter."""
+    """Distance between the quartiles."""
     low, high = np.percentile(times, (25, 75))
     return float(high - low)
 
 
-def _off(first: Array | None, result: Array | None) -> float | None:
-    """Largest difference over the units that both have seen."""
+def _deviation(first: Array | None, result: Array | None) -> float | None:
+    """Largest difference over the units that both computed."""
     if first is None or result is None or result is first:
         return None
     both = min(len(first), len(result))

@@ -1,11 +1,10 @@
-"""Contestants take turns, and whoever finds something else is seen."""
+"""Contestants take turns, and a different result is reported."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-
-from ur5check._benchmarking.timing import Contestant, race, ranked
+from speed.timing import Contestant, race, ranked
 
 
 def test_all_take_turns_after_one_run_that_is_not_timed() -> None:
@@ -29,7 +28,7 @@ def test_a_time_is_for_one_unit() -> None:
     assert shared.seconds < slow.seconds / 1000  # a millionth, whatever else the machine does
 
 
-def test_another_result_is_seen() -> None:
+def test_a_different_result_is_reported() -> None:
     truth = np.arange(6.0).reshape(3, 2)
     contestants = [
         Contestant("first", lambda: truth),
@@ -37,7 +36,7 @@ def test_another_result_is_seen() -> None:
         Contestant("fewer", lambda: truth[:2] + 1e-3),
         Contestant("silent", lambda: None),
     ]
-    offs = [timing.off for timing in race("", contestants, 1).timings]
-    assert offs[:2] == [None, 0.0]
-    assert offs[2] == pytest.approx(1e-3)
-    assert offs[3] is None
+    deviations = [timing.deviation for timing in race("", contestants, 1).timings]
+    assert deviations[:2] == [None, 0.0]
+    assert deviations[2] == pytest.approx(1e-3)
+    assert deviations[3] is None

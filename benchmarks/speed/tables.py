@@ -5,26 +5,27 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from .._benchmarking.result import Chapter, Comparison, OperationCount, Profile, Timing
-from .document import Column, Row, Table
-from .wording import MISSING
+from ur5check._reports.document import Column, Row, Table
+from ur5check._reports.wording import MISSING
+
+from .result import Chapter, Comparison, OperationCount, Profile, Timing
 
 __all__ = ["comparison_table", "operation_table", "profile_table", "series_table"]
 
-#: A state takes nanoseconds, a process milliseconds: name and size [s] of what a table is in.
+#: Unit of a chapter to name and size [s] of the unit of time of its tables.
 _UNITS = {"state": ("ns", 1e-9), "process": ("ms", 1e-3)}
 
 
 def comparison_table(chapter: Chapter, comparison: Comparison) -> Table:
-    """One row a contestant."""
+    """One row per contestant."""
     timings = comparison.timings
-    compared = any(t.off is not None for t in timings)
+    compared = any(t.deviation is not None for t in timings)
     columns = (
         Column(""),
-        Column(f"time a {chapter.unit} [{_UNITS[chapter.unit][0]}]", number=True),
+        Column(f"time per {chapter.unit} [{_UNITS[chapter.unit][0]}]", number=True),
         Column("spread [%]", number=True),
         Column(_ratio_title(chapter), number=True),
-        *([Column("off by [N m]", number=True)] if compared else []),
+        *([Column("difference [N m]", number=True)] if compared else []),
     )
     rows = (
         Row(
@@ -33,7 +34,7 @@ def comparison_table(chapter: Chapter, comparison: Comparison) -> Table:
                 _time(chapter, t.seconds),
                 f"{100.0 * t.spread:.0f}",
                 _ratio(chapter, t),
-                *([_off(t)] if compared else []),
+                *([_deviation(t)] if compared else []),
             )
         )
         for t in timings
@@ -42,7 +43,7 @@ def comparison_table(chapter: Chapter, comparison: Comparison) -> Table:
 
 
 def series_table(chapter: Chapter) -> Table:
-    """One row a contestant, one column a size."""
+    """One row per contestant, one column per size."""
     sizes = chapter.comparisons
     names = [t.name for t in sizes[0].timings] if sizes else []
     rows = (
@@ -52,12 +53,12 @@ def series_table(chapter: Chapter) -> Table:
     return Table(
         (Column(""), *(Column(size.subject, number=True) for size in sizes)),
         tuple(rows),
-        title=f"Time a {chapter.unit} [{_UNITS[chapter.unit][0]}]",
+        title=f"Time per {chapter.unit} [{_UNITS[chapter.unit][0]}]",
     )
 
 
 def operation_table(counts: Sequence[OperationCount]) -> Table:
-    """One row a quantity."""
+    """One row per quantity."""
     return Table(
         (
             Column("at one state"),
@@ -80,7 +81,7 @@ def operation_table(counts: Sequence[OperationCount]) -> Table:
 
 
 def profile_table(profiles: Sequence[Profile]) -> Table:
-    """One row a part, one column a command."""
+    """One row per part, one column per command."""
     parts = list(dict.fromkeys(part for profile in profiles for part, _ in profile.parts))
     spent = [dict(profile.parts) for profile in profiles]
     rows = [Row(("whole", *(f"{profile.whole:.2f}" for profile in profiles)))]
@@ -107,10 +108,10 @@ def _ratio_title(chapter: Chapter) -> str:
 
 
 def _ratio(chapter: Chapter, timing: Timing) -> str:
-    """To the first of the table."""
+    """To the first row."""
     ratio = timing.speed if chapter.unit == "state" else 1.0 / timing.speed
     return f"{ratio:.2f}"
 
 
-def _off(timing: Timing) -> str:
-    return MISSING if timing.off is None else f"{timing.off:.1e}"
+def _deviation(timing: Timing) -> str:
+    return MISSING if timing.deviation is None else f"{timing.deviation:.1e}"
