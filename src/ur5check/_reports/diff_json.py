@@ -14,12 +14,12 @@ from .._validation.validation import Validation
 from .explanation_json import attribution_value, explanation_value
 from .json_head import json_head
 from .json_values import Report, alignment_value, inertia_value, joint_value, model_value, strict
-from .validation_summary import summarize as summarize_validation
+from .validate_summary import summarize as summarize_validation
 
-__all__ = ["arm_json", "difference_json", "validation_json"]
+__all__ = ["diff_json", "show_json", "validate_json"]
 
 
-def validation_json(v: Validation, *, command: str = "") -> Report:
+def validate_json(v: Validation, *, command: str = "") -> Report:
     """`validate` as ur5check.validation/1."""
     arms = [model.arm for model in v.models]
     return strict(
@@ -42,7 +42,7 @@ def validation_json(v: Validation, *, command: str = "") -> Report:
     )
 
 
-def difference_json(
+def diff_json(
     d: Difference,
     explanation: Explanation | None = None,
     *,
@@ -57,7 +57,7 @@ def difference_json(
     return strict({**head, **_difference(d), **explained, **finer})
 
 
-def arm_json(arm: SerialArm, *, command: str = "") -> Report:
+def show_json(arm: SerialArm, *, command: str = "") -> Report:
     """`show` as ur5check.robot/1."""
     return strict(
         {

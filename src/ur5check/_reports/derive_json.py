@@ -10,10 +10,10 @@ from .._robot.serial_arm import SerialArm
 from .json_head import json_head
 from .json_values import Report, model_value, strict
 
-__all__ = ["closed_form_json"]
+__all__ = ["derive_json"]
 
 
-def closed_form_json(arm: SerialArm, derivation: Derivation, *, command: str = "") -> Report:
+def derive_json(arm: SerialArm, derivation: Derivation, *, command: str = "") -> Report:
     """`derive --to json` as ur5check.closed-form/1."""
     program = derivation.program
     return strict(

@@ -9,10 +9,10 @@ from .engines_summary import deed
 from .provenance import Provenance, inputs_of
 from .wording import joined, residue
 
-__all__ = ["fleet_document"]
+__all__ = ["engines_fleet_document"]
 
 
-def fleet_document(
+def engines_fleet_document(
     fleet: FleetReport, *, limit: float = SAME_ROBOT, as_read: bool = False, command: str = ""
 ) -> Document:
     """The report of `ur5check engines --fleet`; limit, as_read : as for `engines_document`.

@@ -11,10 +11,10 @@ from .document import Column, Document, Row, Section, Table, Verdict
 from .law_table import law_table
 from .pair_parts import alignment_lines, contribution_table, torque_table
 from .provenance import Provenance, inputs_of
-from .validation_summary import summarize
+from .validate_summary import summarize
 from .wording import coordinates, figures, residue
 
-__all__ = ["validation_document"]
+__all__ = ["validate_document"]
 
 _ROUTES = {
     "SerialArm": "handed over joint by joint",
@@ -23,7 +23,7 @@ _ROUTES = {
 }
 
 
-def validation_document(v: Validation, *, command: str = "") -> Document:
+def validate_document(v: Validation, *, command: str = "") -> Document:
     """The report of `ur5check validate`."""
     sections = [_algorithm(v), _bodies(v)]
     if v.pairs:

@@ -17,10 +17,10 @@ from .document import Document, Section, Verdict
 from .explanation_summary import summarize as summarize_explanation
 from .provenance import Provenance, inputs_of
 
-__all__ = ["difference_document"]
+__all__ = ["diff_document"]
 
 
-def difference_document(
+def diff_document(
     d: Difference,
     explanation: Explanation | None = None,
     *,

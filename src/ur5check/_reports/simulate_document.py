@@ -7,15 +7,15 @@ import numpy as np
 from .._simulation.static_hold import StaticHold
 from .document import Column, Document, Row, Section, Table, Verdict
 from .provenance import Provenance, inputs_of
-from .simulation_summary import reason, summarize, verdict
+from .simulate_summary import reason, summarize, verdict
 from .wording import percent, residue
 
-__all__ = ["simulation_document"]
+__all__ = ["simulate_document"]
 
 _ROWS = 10  # of the drift table
 
 
-def simulation_document(s: StaticHold, *, command: str = "") -> Document:
+def simulate_document(s: StaticHold, *, command: str = "") -> Document:
     """The report of `ur5check simulate`."""
     plant, model = s.pair.a, s.pair.given_b
     return Document(

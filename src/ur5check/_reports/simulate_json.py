@@ -7,14 +7,14 @@ import numpy as np
 from .._simulation.static_hold import STILL, StaticHold
 from .json_head import json_head
 from .json_values import Report, alignment_value, model_value, strict
-from .simulation_summary import reason, summarize, verdict
+from .simulate_summary import reason, summarize, verdict
 
-__all__ = ["simulation_json"]
+__all__ = ["simulate_json"]
 
 _INSTANTS = 501  # at most, evenly picked: enough for a plot
 
 
-def simulation_json(s: StaticHold, *, command: str = "") -> Report:
+def simulate_json(s: StaticHold, *, command: str = "") -> Report:
     """The report of `ur5check simulate`."""
     plant, model, m = s.pair.a, s.pair.given_b, s.mover
     return strict(

@@ -14,7 +14,7 @@ from .document import Column, Document, Row, Section, Table
 from .provenance import Provenance, inputs_of
 from .wording import MISSING, coordinates, figures
 
-__all__ = ["arm_document"]
+__all__ = ["show_document"]
 
 _KINDS = {
     "dh": "a DH table",
@@ -25,7 +25,7 @@ _KINDS = {
 }
 
 
-def arm_document(arm: SerialArm, *, command: str = "") -> Document:
+def show_document(arm: SerialArm, *, command: str = "") -> Document:
     """The report of `ur5check show`."""
     source = arm.source
     lines = (
