@@ -13,6 +13,8 @@ report can print them one by one and a test can look at one of them.
 
 from __future__ import annotations
 
+from ._finding import Finding, Place
+
 __all__ = ["EngineError", "InputError", "ModelError", "StateError", "Ur5checkError", "UsageError"]
 
 
@@ -34,6 +36,7 @@ class ModelError(InputError):
     file, line : where it stands, when it stands in a file
     element : the element, key or body that holds it ("link 'forearm' inertial/mass")
     value : the offending value, as it was written
+    rule : id of the rule that was broken
     """
 
     def __init__(
@@ -45,6 +48,7 @@ class ModelError(InputError):
         line: int | None = None,
         element: str | None = None,
         value: object = None,
+        rule: str = "XML100",
     ) -> None:
         self.problem = problem
         self.fix = fix
@@ -52,7 +56,22 @@ class ModelError(InputError):
         self.line = line
         self.element = element
         self.value = value
+        self.rule = rule
         super().__init__(self._sentence())
+
+    @property
+    def finding(self) -> Finding:
+        """The same as a finding, for reports that list several."""
+        return Finding(
+            rule=self.rule,
+            severity="error",
+            subject=self.element or "file",
+            message=self.problem,
+            places=(Place(self.file or "", self.line or 0, 0, self.element or ""),),
+            value=None if self.value is None else _shortened(self.value),
+            consequence="the file cannot be read as it stands",
+            fix=self.fix,
+        )
 
     def _sentence(self) -> str:
         place = self.file or ""

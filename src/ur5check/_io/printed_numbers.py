@@ -7,9 +7,10 @@ may break one after.  How far it may, the digits themselves say.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from decimal import Decimal
 
-__all__ = ["Printed", "plain_number"]
+__all__ = ["Printed", "common_rounding", "plain_number"]
 
 # float() also takes "nan", "inf", "1_000" and " 1 "; a model file may not.
 _PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\Z", re.ASCII)
@@ -73,3 +74,29 @@ def _reason(text: str) -> str:
     if re.fullmatch(r"[+-]?\d+,\d+", text):
         return "has a decimal comma"
     return "is not a plain number"
+
+
+def common_rounding(numbers: Mapping[str, float]) -> dict[str, float]:
+    """How far each of several numbers that one program printed may lie from the number meant.
+
+    A program prints either so many decimals or so many significant digits, and drops zeros at the
+    end.  Of the two, the way that explains the texts with fewer dropped zeros is taken.  Numbers
+    that are exact (`Printed.rounding`), or not `Printed`, get 0.
+    """
+    inexact = {
+        name: Decimal(number.text)
+        for name, number in numbers.items()
+        if isinstance(number, Printed) and number.rounding > 0.0
+    }
+    places = {name: -int(value.as_tuple().exponent) for name, value in inexact.items()}
+    digits = {name: len(value.as_tuple().digits) for name, value in inexact.items()}
+    most_places = max(places.values(), default=0)
+    most_digits = max(_LEAST_DIGITS, *digits.values()) if digits else 0
+    dropped_places = sum(most_places - n for n in places.values())
+    dropped_digits = sum(most_digits - n for n in digits.values())
+    rounding = dict.fromkeys(numbers, 0.0)
+    for name, value in inexact.items():
+        by_digits = value.adjusted() - most_digits + 1
+        last_digit = -most_places if dropped_places <= dropped_digits else by_digits
+        rounding[name] = float(Decimal(5).scaleb(last_digit - 1))
+    return rounding

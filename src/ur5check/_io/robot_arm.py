@@ -1,0 +1,197 @@
+"""A `SerialArm` out of a `Robot`: the chain between two links, what is beside it held still."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal, NoReturn
+
+import numpy as np
+
+from .._errors import ModelError, UsageError
+from .._finding import Place
+from .._robot.inertia import Inertia
+from .._robot.robot import Robot, RobotJoint
+from .._robot.serial_arm import Joint, SerialArm, Source
+from .._robot.transforms import Array, Transform
+from .arm_choice import choose_arm
+from .chain_assembly import assemble
+from .suggestions import did_you_mean
+from .urdf.urdf_chain import Edge, Tree
+
+__all__ = ["arm_of_robot"]
+
+
+def arm_of_robot(
+    robot: Robot,
+    *,
+    base: str | None = None,
+    tip: str | None = None,
+    hold: Mapping[str, float] | None = None,
+    urdf: str | None = None,
+) -> SerialArm:
+    """The arm between two links of a robot.
+
+    base : default the root;  tip : default as `choose_arm` says, then the tool frame fixed there
+    hold : positions of joints beside the arm [rad] or [m]; 0 where none is given
+    urdf : the text that the robot was read from, for engines that bring their own parser
+
+    Raises ModelError where the chain holds a joint or a link that no arm can have, or where several
+    chains could be meant; UsageError for a joint in `hold` that is not there or is the arm's own.
+    """
+    if not robot.roots:
+        raise ModelError("has no link", fix="an arm needs joints and links", file=robot.file)
+    description = _Description(robot, dict(hold or {}))
+    for name in (base, tip):
+        if name is not None and name not in robot.link:
+            description.lost(name)
+    notes: tuple[str, ...] = ()
+    if tip is None:
+        choice = choose_arm(robot, base)
+        if choice.tip is None:
+            description.several(choice.chains)
+        tip = choice.tip
+        rigid = [name for name in robot.rigid(tip) if not robot.below[name]]
+        if len(rigid) == 1 and not choice.fingers:
+            tip = rigid[0]
+        elif len(rigid) > 1:
+            notes = (f"tip is {tip!r}, the last moving link: {len(rigid)} links end there",)
+        if choice.fingers:
+            shown = ", ".join(map(repr, choice.fingers[:6])) + (", …" if choice.fingers[6:] else "")
+            notes += (f"the arm ends before its gripper ({shown})",)
+    chain = description.tree.chain(base, tip)
+    moving = {edge.joint for edge in chain.moving}
+    for name in description.hold:
+        if name not in robot.joint or name in moving:
+            beside = [
+                joint.name for joint in robot.joints if joint.moves and joint.name not in moving
+            ]
+            what = "belongs to the arm" if name in moving else "is no joint of this robot"
+            raise UsageError(f"--hold {name}: it {what}; {did_you_mean(name, beside)}")
+    parts = assemble(description, chain)
+    return SerialArm(
+        robot.name,
+        parts.joints,
+        parts.links,
+        base=parts.base,
+        gravity=_base_rotation(description, robot, chain.base).T @ robot.gravity,
+        source=Source(
+            kind=robot.kind,
+            inputs=robot.inputs,
+            urdf=urdf,
+            base=chain.base,
+            tip=chain.tip,
+            notes=(*notes, *parts.notes),
+        ),
+    )
+
+
+def _base_rotation(description: _Description, robot: Robot, base: str) -> Array:
+    """R from the base link's axes to the root's, joints on the way held still."""
+    pose = Transform.identity()
+    for joint in reversed(list(robot.up(base))):
+        edge = Edge(joint.name, joint.kind, joint.parent, joint.child)
+        pose = pose @ description.held_pose(edge, frozenset())
+    return pose.R
+
+
+class _Description:
+    """What `assemble` asks of a robot."""
+
+    def __init__(self, robot: Robot, hold: dict[str, float]) -> None:
+        self.robot, self.hold = robot, hold
+        edges = [Edge(j.name, j.kind, j.parent, j.child) for j in robot.joints]
+        root = max(robot.roots, key=lambda name: len(list(robot.down(name))))
+        links = list(robot.down(root))
+        here = set(links)
+        self.tree = Tree(links, [e for e in edges if e.parent in here], robot.file)
+
+    def joint(self, edge: Edge) -> Joint:
+        joint = self.robot.joint[edge.joint]
+        if joint.kind in ("planar", "floating", "ball"):
+            problem = f"is {joint.kind}: neither revolute nor prismatic"
+            self.fail("joint", joint.name, "", problem, "choose --base and --tip beside it")
+        if joint.mimic is not None:
+            problem = f"mimics {joint.mimic.joint!r}: it has no coordinate of its own"
+            self.fail("joint", joint.name, "", problem, "choose a --tip before it")
+        numbers = [*joint.axis, *joint.origin.p]
+        if not np.isfinite(numbers).all():
+            self.fail("joint", joint.name, "", "its axis or origin is no number", "correct it")
+        return Joint(
+            joint.name,
+            joint.axis,
+            "prismatic" if joint.kind == "prismatic" else "revolute",
+            joint.limits,
+            joint.armature,
+            _finite(joint.damping),
+            _finite(joint.friction),
+        )
+
+    def joint_origin(self, edge: Edge) -> Transform:
+        return self.robot.joint[edge.joint].origin
+
+    def carried(self, edge: Edge) -> Transform:
+        return self.robot.joint[edge.joint].carried
+
+    def held_pose(self, edge: Edge, moving: frozenset[str]) -> Transform:
+        joint = self.robot.joint[edge.joint]
+        value = self._held_at(joint, moving, ())
+        motion = Transform.identity()
+        if value != 0.0 and joint.kind in ("revolute", "continuous", "prismatic"):
+            kind: Literal["revolute", "prismatic"] = (
+                "prismatic" if joint.kind == "prismatic" else "revolute"
+            )
+            motion = Joint(joint.name, joint.axis, kind).motion(value)
+        return joint.origin @ motion @ joint.carried
+
+    def _held_at(self, joint: RobotJoint, moving: frozenset[str], seen: tuple[str, ...]) -> float:
+        """Where a joint beside the arm is held: as asked, where its <mimic> puts it, or at 0."""
+        if joint.name in self.hold:
+            return self.hold[joint.name]
+        mimic = joint.mimic
+        if mimic is None or joint.name in seen or mimic.joint not in self.robot.joint:
+            return 0.0
+        if mimic.joint in moving:
+            problem = f"moves with joint {mimic.joint!r} of the arm, beside it: no serial chain"
+            self.fail("joint", joint.name, " mimic", problem, "choose the arm without this joint")
+        followed = self._held_at(self.robot.joint[mimic.joint], moving, (*seen, joint.name))
+        return mimic.multiplier * followed + mimic.offset
+
+    def inertia(self, link: str) -> Inertia | None:
+        inertial = self.robot.link[link].inertial
+        if inertial is None:
+            return None
+        if not inertial.readable:
+            problem = "one of its numbers could not be read"
+            self.fail("link", link, " inertial", problem, "correct it")
+        return inertial.inertia
+
+    def fail(
+        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
+    ) -> NoReturn:
+        place: Place = getattr(self.robot, tag)[name].place
+        raise ModelError(
+            problem,
+            fix=fix,
+            file=place.file,
+            line=place.line or None,
+            element=f"{tag} {name!r}{part}",
+        )
+
+    def lost(self, link: str) -> NoReturn:
+        fix = did_you_mean(link, self.robot.link)
+        raise ModelError("is no link of this robot", fix=fix, file=self.robot.file, value=link)
+
+    def several(self, chains: tuple[tuple[str, int], ...]) -> NoReturn:
+        if not chains:
+            raise ModelError("has no moving joint", fix="an arm needs one", file=self.robot.file)
+        listed = ", ".join(f"--tip {tip} ({n} joints)" for tip, n in chains[:6])
+        more = f", and {len(chains) - 6} more" if len(chains) > 6 else ""
+        raise ModelError(
+            f"has {len(chains)} chains of moving joints, none of which is clearly the arm",
+            fix=f"choose one: {listed}{more}",
+            file=self.robot.file,
+        )
+
+
+def _finite(value: float) -> float:
+    return value if np.isfinite(value) else 0.0

@@ -1,0 +1,149 @@
+"""A file to a whole `Robot` with all that is wrong in it; nothing that stands in it raises."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from .._errors import ModelError, UsageError
+from .._finding import Finding, Place
+from .._robot.robot import Robot
+from .._robot.serial_arm import SerialArm
+from .._rules.finding_log import FindingLog, finding_of
+from .package_search import packages_around
+from .ros_packages import PackageMap, default_packages
+from .shipped_models import SHIPPED_MODELS
+from .suggestions import did_you_mean
+
+__all__ = ["RobotReading", "read_robot"]
+
+
+@dataclass(frozen=True, eq=False)
+class RobotReading:
+    """What reading a file gave.
+
+    robot : None where the file describes none
+    text : of the URDF, after xacro expansion, for engines that bring their own parser
+    arm : where the format's reader gives one chain only (DH tables, MJCF, SDF)
+    packages : where package:// addresses lead;  folder : of the file
+    """
+
+    file: str
+    robot: Robot | None
+    findings: tuple[Finding, ...]
+    packages: PackageMap
+    folder: Path
+    text: str | None = None
+    arm: SerialArm | None = None
+
+
+def read_robot(
+    model: str | Path,
+    *,
+    packages: Mapping[str, str | Path] | None = None,
+    arguments: Mapping[str, str] | None = None,
+    base: str | None = None,
+    tip: str | None = None,
+) -> RobotReading:
+    """Read a model's file whole.
+
+    model : a shipped model's name, or the path of a .urdf, .xacro, MJCF .xml, .sdf or .toml file
+    packages : ROS package names and their folders, before those that are found around the file
+    arguments : values for a xacro's arguments
+    base, tip : for formats that give one chain only
+
+    Raises UsageError for a name that means nothing and a file that is not there.
+    """
+    entry = SHIPPED_MODELS.get(model) if isinstance(model, str) else None
+    path = Path(model) if entry is None else entry.path()
+    label = str(path) if entry is None else f"{entry.home}/{entry.file}"
+    if not path.is_file():
+        if path.exists():
+            raise UsageError(f"{path} is no regular file; give a robot's description")
+        raise UsageError(
+            f"no file and no shipped model is called {str(model)!r}; "
+            f"{did_you_mean(path.stem, SHIPPED_MODELS)}"
+        )
+    around = default_packages().with_packages(
+        {name: str(folder) for name, folder in packages_around(path).items()}
+    )
+    known = around.with_packages(packages or {})
+    suffix = path.suffix.lower()
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise UsageError(f"{path} cannot be read: {error.strerror}") from None
+    here = _File(path, label, data, known)
+    if suffix == ".xacro":
+        return _xacro(here, arguments or {})
+    if suffix in (".toml", ".sdf", ".mjcf") or (suffix == ".xml" and b"<mujoco" in data):
+        return _one_chain(here, base, tip)
+    if suffix in (".urdf", ".xml"):
+        if b"xmlns:xacro" in data and b"<xacro:" in data:
+            return _xacro(here, arguments or {})
+        return _urdf(here, data, label, "urdf", ((label, hashlib.sha256(data).hexdigest()),))
+    raise UsageError(f"{path} is no kind of file that a robot is read from")
+
+
+@dataclass(frozen=True, eq=False)
+class _File:
+    path: Path
+    label: str
+    data: bytes
+    packages: PackageMap
+
+    def nothing(self, *findings: Finding) -> RobotReading:
+        return RobotReading(self.label, None, findings, self.packages, self.path.parent)
+
+
+def _urdf(
+    file: _File, data: bytes, label: str, kind: str, inputs: tuple[tuple[str, str], ...]
+) -> RobotReading:
+    from .urdf.urdf_robot import read_urdf_robot
+    from .xml.xml_tree import XmlError, parse_xml
+
+    try:
+        root = parse_xml(data, label)
+    except XmlError as error:
+        place = Place(label, error.line, error.column)
+        return file.nothing(finding_of("XML101", "file", error.problem, place))
+    if root.tag != "robot":
+        problem = f"the root element is <{root.tag}>, not <robot>"
+        return file.nothing(finding_of("XML102", "file", problem, root.place(), value=root.tag))
+    log = FindingLog()
+    robot = read_urdf_robot(root, log, kind=kind, inputs=inputs)
+    return RobotReading(
+        label,
+        robot,
+        tuple(log.findings),
+        file.packages,
+        file.path.parent,
+        data.decode("utf-8"),
+    )
+
+
+def _xacro(file: _File, arguments: Mapping[str, str]) -> RobotReading:
+    from .xacro.xacro_reader import expand_xacro
+
+    try:
+        expansion = expand_xacro(file.path, arguments=arguments, packages=file.packages)
+    except ModelError as error:
+        return file.nothing(error.finding)
+    label = f"{file.label} (expanded)"
+    return _urdf(file, expansion.text.encode(), label, "xacro", tuple(expansion.inputs))
+
+
+def _one_chain(file: _File, base: str | None, tip: str | None) -> RobotReading:
+    """Formats whose reader gives one chain, and stops at the first fault."""
+    from .loading import load
+    from .robot_of_arm import robot_of_arm
+
+    try:
+        arm = load(file.path, base=base, tip=tip)
+    except ModelError as error:
+        return file.nothing(error.finding)
+    return RobotReading(
+        file.label, robot_of_arm(arm, file.label), (), file.packages, file.path.parent, None, arm
+    )

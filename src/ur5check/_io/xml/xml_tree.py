@@ -1,0 +1,159 @@
+"""XML as a light tree in which every element and attribute knows its line and column.
+
+Expat is asked, since lxml knows lines of start tags only.  Document types are refused: they declare
+entities, which readers treat differently.  Sizes are bounded before anything is parsed.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from xml.parsers import expat
+
+from ..._finding import Place
+
+__all__ = ["LARGEST_FILE", "XmlError", "XmlFile", "XmlNode", "parse_xml"]
+
+#: Larger than any description of a robot (meshes are files of their own) [bytes].
+LARGEST_FILE = 64 * 2**20
+
+_MARKS = (
+    (b"\xff\xfe", "UTF-16"),
+    (b"\xfe\xff", "UTF-16"),
+    (b"\xef\xbb\xbf", "UTF-8 with a byte order mark"),
+    (b"<\x00", "UTF-16 without a byte order mark"),
+    (b"\x00<", "UTF-16 without a byte order mark"),
+)
+_ENCODING = re.compile(rb"""\A<\?xml\s[^>]*?\bencoding\s*=\s*["']([^"']*)["']""")
+
+
+class XmlError(Exception):
+    """Text that is no XML that every reader reads alike.  line, column : from 1, 0 if unknown."""
+
+    def __init__(self, problem: str, line: int = 0, column: int = 0) -> None:
+        super().__init__(problem)
+        self.problem, self.line, self.column = problem, line, column
+
+
+@dataclass(eq=False)
+class XmlFile:
+    """name : as reports call it;  data : its bytes"""
+
+    name: str
+    data: bytes
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        return [0, *(match.end() for match in re.finditer(rb"\n", self.data))]
+
+    def line_column(self, offset: int) -> tuple[int, int]:
+        """Line and column, from 1, of a byte; columns count characters."""
+        line = bisect_right(self._starts, offset)
+        start = self._starts[line - 1]
+        return line, len(self.data[start:offset].decode("utf-8", "replace")) + 1
+
+
+@dataclass(eq=False)
+class XmlNode:
+    """One element.
+
+    tag : with its namespace's prefix, as written;  offset : of its start tag in `file` [bytes]
+    """
+
+    tag: str
+    attributes: dict[str, str]
+    file: XmlFile
+    offset: int
+    children: list[XmlNode] = field(default_factory=list)
+    text: str = ""
+
+    def get(self, attribute: str) -> str | None:
+        """An attribute's text, None where it is left out."""
+        return self.attributes.get(attribute)
+
+    def all(self, *tags: str) -> Iterator[XmlNode]:
+        """The children of these tags, in order."""
+        return (child for child in self.children if child.tag in tags)
+
+    def walk(self) -> Iterator[XmlNode]:
+        """This element and all below it, in document order."""
+        stack = [self]
+        while stack:
+            node = stack.pop()
+            yield node
+            stack += reversed(node.children)
+
+    def place(self, attribute: str | None = None, element: str = "") -> Place:
+        """Where the element begins, or where the value of one of its attributes does."""
+        offset = self.offset
+        if attribute is not None:
+            # The element has the attribute, so the first one after its start is its own.
+            pattern = rb"\s" + re.escape(attribute.encode()) + rb"""\s*=\s*["']"""
+            found = re.compile(pattern).search(self.file.data, offset)
+            offset = offset if found is None else found.end()
+        line, column = self.file.line_column(offset)
+        return Place(self.file.name, line, column, element)
+
+
+def parse_xml(data: bytes, name: str) -> XmlNode:
+    """The root of an XML file.
+
+    Raises XmlError for an empty file, one that is too large, an encoding other than UTF-8, a
+    document type, and anything that is not well-formed.
+    """
+    if len(data) > LARGEST_FILE:
+        raise XmlError(f"the file has {len(data):,} bytes, more than {LARGEST_FILE:,}")
+    if not data.strip():
+        raise XmlError("the file is empty")
+    file = XmlFile(name, data)
+    for mark, encoding in _MARKS:
+        if data.startswith(mark):
+            raise XmlError(f"the file is {encoding}, not UTF-8", 1, 1)
+    declared = _ENCODING.match(data)
+    if declared and declared[1].lower() not in (b"utf-8", b"us-ascii", b"ascii"):
+        encoding = declared[1].decode("ascii", "replace")
+        raise XmlError(f"the file declares the encoding {encoding}, not UTF-8", 1, 1)
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise XmlError("the file is not UTF-8 text", *file.line_column(error.start)) from None
+    return _parsed(file)
+
+
+def _parsed(file: XmlFile) -> XmlNode:
+    parser = expat.ParserCreate("utf-8")
+    parser.buffer_text = True
+    roots: list[XmlNode] = []
+    open_nodes: list[XmlNode] = []
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        node = XmlNode(tag, attributes, file, parser.CurrentByteIndex)
+        (open_nodes[-1].children if open_nodes else roots).append(node)
+        open_nodes.append(node)
+
+    def end(_tag: str) -> None:
+        open_nodes.pop()
+
+    def text(data: str) -> None:
+        open_nodes[-1].text += data
+
+    def doctype(*_: object) -> None:
+        line, column = parser.CurrentLineNumber, parser.CurrentColumnNumber + 1
+        problem = "a document type (DOCTYPE, which may declare entities) is not accepted"
+        raise XmlError(problem, line, column)
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = text
+    parser.StartDoctypeDeclHandler = doctype
+    try:
+        parser.Parse(file.data, True)
+    except expat.ExpatError as error:
+        reason = expat.ErrorString(error.code)
+        raise XmlError(
+            f"the file is not well-formed XML: {reason}", error.lineno, error.offset + 1
+        ) from None
+    return roots[0]

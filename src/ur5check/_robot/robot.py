@@ -1,0 +1,246 @@
+"""A robot: what a description says, whole, before any arm is taken from it.
+
+Numbers stand as the file gives them, in its own frames, and each part knows where it is written.
+A number that could not be read is nan or None, and whoever read it has a finding about it: a robot
+may be faulty in one place and sound in all others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from .._finding import Place
+from .inertia import Inertia
+from .serial_arm import Limits
+from .transforms import Array, Transform
+
+__all__ = [
+    "ENTRIES",
+    "Inertial",
+    "JointKind",
+    "Mimic",
+    "Robot",
+    "RobotJoint",
+    "RobotLink",
+    "ShapeRef",
+]
+
+JointKind = Literal["revolute", "continuous", "prismatic", "fixed", "floating", "planar", "ball"]
+
+#: The entries of an inertia tensor that a file lists.
+ENTRIES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+@dataclass(frozen=True, eq=False)
+class Inertial:
+    """What a file says of one body's inertia.
+
+    mass : [kg];  xyz : centre of mass in the link's frame, shape (3,) [m]
+    rpy : of the axes along which the entries are given, shape (3,) [rad]
+    entries : ixx … izz about the centre of mass, along these axes [kg m²]
+    rounding : half a unit of the last digit that each entry prints [kg m²]; empty where the numbers
+        were computed, not printed
+    places : where "mass", "origin", "inertia" and single entries are written
+    """
+
+    mass: float
+    xyz: Array
+    rpy: Array
+    entries: Mapping[str, float]
+    rounding: Mapping[str, float] = field(default_factory=dict)
+    places: Mapping[str, Place] = field(default_factory=dict)
+
+    @cached_property
+    def own_tensor(self) -> Array:
+        """About the centre of mass, along the inertial's own axes, shape (3, 3) [kg m²]."""
+        e = self.entries
+        return np.array(
+            [
+                [e["ixx"], e["ixy"], e["ixz"]],
+                [e["ixy"], e["iyy"], e["iyz"]],
+                [e["ixz"], e["iyz"], e["izz"]],
+            ]
+        )
+
+    @cached_property
+    def tensor_rounding(self) -> Array:
+        """How far each entry of the tensor may be off by its printed digits, (3, 3) [kg m²]."""
+        names = (("ixx", "ixy", "ixz"), ("ixy", "iyy", "iyz"), ("ixz", "iyz", "izz"))
+        return np.array([[self.rounding.get(name, 0.0) for name in row] for row in names])
+
+    @cached_property
+    def readable(self) -> bool:
+        """Whether every number could be read and is finite."""
+        numbers = [self.mass, *self.xyz, *self.rpy, *self.entries.values()]
+        return len(self.entries) == len(ENTRIES) and bool(np.isfinite(numbers).all())
+
+    @cached_property
+    def inertia(self) -> Inertia:
+        """In the link's frame.  Only of a `readable` one."""
+        own = Inertia(self.mass, np.zeros(3), self.own_tensor)
+        return own.expressed_in(Transform.from_rpy(self.xyz.tolist(), self.rpy.tolist()))
+
+    def place(self, part: str) -> Place:
+        """Where a part is written; where the whole is, if that is not known."""
+        return self.places.get(part, self.places.get("inertial", Place()))
+
+
+@dataclass(frozen=True, eq=False)
+class ShapeRef:
+    """A shape of a link, not yet loaded.
+
+    kind : which of the two pictures of a link it belongs to
+    geometry : "box", "cylinder", "sphere", "capsule" or "mesh"
+    size : box: three edges; cylinder, capsule: radius, length; sphere: radius [m]; mesh: scale
+    pose : in the link's frame;  uri : of a mesh, as written
+    """
+
+    kind: Literal["collision", "visual"]
+    geometry: str
+    size: tuple[float, ...]
+    pose: Transform
+    uri: str = ""
+    place: Place = field(default_factory=Place)
+
+
+@dataclass(frozen=True, eq=False)
+class RobotLink:
+    """A link; inertial : None where the file gives none."""
+
+    name: str
+    inertial: Inertial | None
+    shapes: tuple[ShapeRef, ...] = ()
+    place: Place = field(default_factory=Place)
+
+
+@dataclass(frozen=True)
+class Mimic:
+    """q = multiplier · q_of(joint) + offset"""
+
+    joint: str
+    multiplier: float = 1.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class RobotJoint:
+    """A joint.
+
+    origin : pose of the joint's frame in the parent link's, at q = 0
+    axis : unit vector in the joint's frame, shape (3,); written_axis : as the file has it
+    carried : pose of the child's frame seen from the joint's moving side (identity in a URDF)
+    rpy : the origin's angles as written, shape (3,) [rad]
+    places : where "origin", "axis", "limit", "dynamics", "mimic" and single attributes are written
+    """
+
+    name: str
+    kind: JointKind
+    parent: str
+    child: str
+    origin: Transform
+    axis: Array
+    written_axis: Array
+    limits: Limits = field(default_factory=Limits)
+    carried: Transform = field(default_factory=Transform.identity)
+    rpy: Array = field(default_factory=lambda: np.zeros(3))
+    damping: float = 0.0
+    friction: float = 0.0
+    armature: float = 0.0
+    mimic: Mimic | None = None
+    place: Place = field(default_factory=Place)
+    places: Mapping[str, Place] = field(default_factory=dict)
+
+    @property
+    def moves(self) -> bool:
+        """Whether it has a coordinate at all, its own or another joint's."""
+        return self.kind != "fixed"
+
+    def at(self, part: str) -> Place:
+        """Where a part is written; where the joint is, if that is not known."""
+        return self.places.get(part, self.place)
+
+
+@dataclass(frozen=True, eq=False)
+class Robot:
+    """A whole description.
+
+    joints : those whose parent and child exist, each child once: a forest
+    kind : "urdf", "xacro", "mjcf", "sdf" or "dh";  file : as the user gave it
+    gravity : in the root's frame, shape (3,) [m/s²]
+    inputs : (name, SHA-256) of every file that was read
+    """
+
+    name: str
+    links: tuple[RobotLink, ...]
+    joints: tuple[RobotJoint, ...]
+    kind: str
+    file: str
+    gravity: Array
+    inputs: tuple[tuple[str, str], ...] = ()
+
+    @cached_property
+    def link(self) -> Mapping[str, RobotLink]:
+        """Links by name."""
+        return {link.name: link for link in self.links}
+
+    @cached_property
+    def joint(self) -> Mapping[str, RobotJoint]:
+        """Joints by name."""
+        return {joint.name: joint for joint in self.joints}
+
+    @cached_property
+    def above(self) -> Mapping[str, RobotJoint]:
+        """The joint that carries each link but the roots."""
+        return {joint.child: joint for joint in self.joints}
+
+    @cached_property
+    def below(self) -> Mapping[str, tuple[RobotJoint, ...]]:
+        """The joints that each link carries."""
+        found: dict[str, list[RobotJoint]] = {link.name: [] for link in self.links}
+        for joint in self.joints:
+            found[joint.parent].append(joint)
+        return {name: tuple(joints) for name, joints in found.items()}
+
+    @cached_property
+    def roots(self) -> tuple[str, ...]:
+        """Links that no joint carries."""
+        return tuple(link.name for link in self.links if link.name not in self.above)
+
+    def up(self, link: str) -> Iterator[RobotJoint]:
+        """The joints from a link to its root."""
+        while link in self.above:
+            joint = self.above[link]
+            yield joint
+            link = joint.parent
+
+    def down(self, link: str) -> Iterator[str]:
+        """A link and all that it carries, parents first."""
+        reached = [link]
+        for name in reached:
+            yield name
+            reached += [joint.child for joint in self.below[name]]
+
+    def rigid(self, link: str) -> dict[str, Transform]:
+        """A link and all that is fixed to it, with their poses in the link's frame."""
+        poses = {link: Transform.identity()}
+        for name in list(self._rigid_order(link))[1:]:
+            joint = self.above[name]
+            poses[name] = poses[joint.parent] @ joint.origin @ joint.carried
+        return poses
+
+    def _rigid_order(self, link: str) -> Iterator[str]:
+        reached = [link]
+        for name in reached:
+            yield name
+            reached += [joint.child for joint in self.below[name] if not joint.moves]
+
+    @cached_property
+    def mass(self) -> float:
+        """Of all links, without those whose mass could not be read [kg]."""
+        masses = [link.inertial.mass for link in self.links if link.inertial is not None]
+        return float(np.nansum(masses)) if masses else 0.0
