@@ -14,6 +14,7 @@ RECORD = {
     "severity": "error",
     "checks": "something",
     "why": "it matters",
+    "consequence": "the arm falls",
     "bad": "<robot/>",
     "good": "<robot name='r'/>",
     "fix": "give a name",
@@ -22,7 +23,15 @@ RECORD = {
 
 @pytest.mark.parametrize(
     "change",
-    [{"bad": " "}, {"good": ""}, {"why": ""}, {"fix": ""}, {"id": "INE99"}, {"id": "ABC101"}],
+    [
+        {"bad": " "},
+        {"good": ""},
+        {"why": ""},
+        {"consequence": ""},
+        {"fix": ""},
+        {"id": "INE99"},
+        {"id": "ABC101"},
+    ],
 )
 def test_a_rule_that_shows_nothing_is_refused(change):
     assert Rule(**RECORD).family == "INE"

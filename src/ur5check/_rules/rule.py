@@ -36,7 +36,8 @@ class Rule:
     name : a short name in words with hyphens, "triangle-inequality"
     severity : of its findings, at most
     checks : what is checked, in one sentence
-    why : why it matters, and what a simulator or controller does with it
+    why : why it matters
+    consequence : what a simulator or controller does with such a model, for the report
     bad, good : what the rule refuses and what it accepts: a file's text (of the format `example`),
         or words where the example is a pair of files or a recording
     fix : what to do
@@ -50,6 +51,7 @@ class Rule:
     severity: Severity
     checks: str
     why: str
+    consequence: str
     bad: str
     good: str
     fix: str
@@ -62,8 +64,11 @@ class Rule:
         family = self.id[:3]
         if family not in get_args(Family) or not re.fullmatch(r"[A-Z]{3}\d{3}", self.id):
             raise ValueError(f"{self.id!r} is no rule id: a family and three digits")
-        if not (self.bad.strip() and self.good.strip() and self.why and self.fix):
-            raise ValueError(f"rule {self.id} needs a bad and a good example, a reason and a fix")
+        texts = (self.bad, self.good, self.checks, self.why, self.consequence, self.fix)
+        if not all(text.strip() for text in texts):
+            raise ValueError(
+                f"rule {self.id} needs a bad and a good example, a reason, a consequence and a fix"
+            )
 
     @property
     def family(self) -> Family:

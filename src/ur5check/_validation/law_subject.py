@@ -116,6 +116,17 @@ class Subject:
         return self.mass_size * float(np.abs(self.states.qd).max())
 
     @cached_property
+    def world_rate_size(self) -> float:
+        """`rate_size` of a reference engine [N m s], which holds its inertias in the world's frame.
+
+        There a body that stands d from the origin has m d² beside its own inertia, which cancels
+        in C, but not its rounding.
+        """
+        distance = float(np.linalg.norm(self.arm.base.p))
+        mass = sum(abs(link.inertia.mass) for link in self.arm.links)
+        return (self.mass_size + mass * distance**2) * float(np.abs(self.states.qd).max())
+
+    @cached_property
     def polarised_size(self) -> float:
         """The same of our own C [N m s], a difference of velocity torques at q̇ ± one unit.
 

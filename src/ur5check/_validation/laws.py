@@ -95,7 +95,7 @@ def _skew(s: Subject) -> Measurement:
 
 def _skew_reference(s: Subject) -> Measurement:
     C = s.reference.coriolis_matrix(s.states.q, s.states.qd)
-    return Measurement(_not_skew(s.rate_of_M, C), s.rate_size)
+    return Measurement(_not_skew(s.rate_of_M, C), s.world_rate_size)
 
 
 def _gravity_gradient(s: Subject) -> Measurement:

@@ -1,1 +1,0 @@
-"""What `bench_speed.py` measures: one question a file."""

@@ -1,0 +1,1 @@
+"""How fast, against whom: everything that `ur5check bench` measures."""

@@ -1,0 +1,39 @@
+"""The straight line under JAX, jitted and mapped over states, on whatever device JAX prefers."""
+
+from __future__ import annotations
+
+from importlib import metadata
+from typing import Any
+
+import numpy as np
+
+from .._dynamics.compiled.jax_function import jax_rnea
+from .._robot.serial_arm import SerialArm
+from .._robot.states import States
+from .._robot.transforms import Array
+from .timing import Contestant
+
+__all__ = ["jax_contestant"]
+
+
+def jax_contestant(arm: SerialArm, states: States) -> Contestant | None:
+    """None where JAX is not installed.
+
+    Arrays lie on the device before the clock starts; what is timed ends when the result is there.
+    """
+    try:
+        metadata.version("jax")
+    except metadata.PackageNotFoundError:
+        return None
+    import jax
+
+    # 64 bits in this block and in each run only: how JAX computes elsewhere is the caller's own.
+    with jax.enable_x64(True):
+        torques = jax.jit(jax.vmap(jax_rnea(arm)))
+        given: list[Any] = [jax.device_put(part) for part in (states.q, states.qd, states.qdd)]
+
+    def run() -> Array:
+        with jax.enable_x64(True):
+            return np.asarray(torques(*given).block_until_ready())
+
+    return Contestant(f"JAX on {jax.default_backend()}, its own threads", run, len(states.q))

@@ -1,0 +1,41 @@
+"""What the figures depend on; no name of the machine, no date."""
+
+from __future__ import annotations
+
+import os
+import platform
+from importlib import metadata
+from pathlib import Path
+
+__all__ = ["machine", "versions"]
+
+_MEASURED = ("numpy", "llvmlite", "numba", "jax", "pin", "mujoco", "drake")
+
+
+def machine() -> dict[str, str | int]:
+    """Processor, cores that this process may use, system."""
+    if hasattr(os, "sched_getaffinity"):
+        cores = len(os.sched_getaffinity(0))
+    else:
+        cores = os.cpu_count() or 1
+    return {"processor": _processor(), "cores": cores, "system": platform.system()}
+
+
+def versions() -> dict[str, str]:
+    """Python's, and those of what is measured beside ur5check, and here."""
+    found = {"python": platform.python_version()}
+    for name in _MEASURED:
+        try:
+            found[name] = metadata.version(name)
+        except metadata.PackageNotFoundError:
+            continue
+    return found
+
+
+def _processor() -> str:
+    info = Path("/proc/cpuinfo")
+    if info.is_file():
+        for line in info.read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    return platform.processor() or platform.machine()
