@@ -18,7 +18,6 @@ ENGINES = {
     "pinocchio": {
         "_engines/pinocchio.py",
         "_io/pinocchio_model.py",
-        "_benchmarking/pinocchio_calls.py",
     },
     "mujoco": {"_engines/mujoco.py", "_io/mjcf/mjcf_reader.py"},
     "pydrake": {"_engines/drake.py", "_io/sdf/sdf_reader.py"},

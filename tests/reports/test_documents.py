@@ -6,35 +6,35 @@ from dataclasses import replace
 
 import ur5check
 from ur5check._comparison.difference import Difference, compare
-from ur5check._reports.arm_document import arm_document
-from ur5check._reports.difference_document import difference_document
+from ur5check._reports.diff_document import diff_document
+from ur5check._reports.show_document import show_document
 from ur5check._reports.terminal import render_text
-from ur5check._reports.validation_document import validation_document
+from ur5check._reports.validate_document import validate_document
 from ur5check._robot import Transform
 from ur5check._robot.states import random_states
 from ur5check._validation.validation import Validation
 
 
 def test_verdict_comes_first(validation: Validation) -> None:
-    lines = render_text(validation_document(validation)).splitlines()
+    lines = render_text(validate_document(validation)).splitlines()
     assert lines[0] == "Validation of paper against appendix"
     assert lines[2].startswith("PASS: the algorithm is right;")
 
 
 def test_three_questions_under_three_headings(validation: Validation) -> None:
-    titles = [section.title for section in validation_document(validation).sections]
+    titles = [section.title for section in validate_document(validation).sections]
     assert titles == ["The algorithm", "The bodies", "The numbers"]
 
 
 def test_numbers_say_how_the_arms_were_laid_together(validation: Validation) -> None:
-    numbers = validation_document(validation).sections[-1]
+    numbers = validate_document(validation).sections[-1]
     assert "the base of appendix is turned by 180° about z" in numbers.lines[0]
     assert "no joint reversed; no zero shifted; all 6 axes are the same lines" in numbers.lines[0]
     assert any(line.startswith("The account closes: ") for line in numbers.lines)
 
 
 def test_a_failing_law_floats_to_the_top(failing: Validation) -> None:
-    document = validation_document(failing)
+    document = validate_document(failing)
     assert document.verdict is not None
     assert (document.verdict.word, document.verdict.good) == ("FAIL", False)
     assert "the algorithm is WRONG" in document.verdict.text
@@ -55,7 +55,7 @@ def test_a_body_that_could_not_exist_is_named() -> None:
     inertias = [link.inertia for link in arm.links]
     inertias[2] = replace(inertias[2], tensor=inertias[2].tensor * [[9], [1], [1]])
     validation = ur5check.validate(arm.with_inertias(inertias), samples=5)
-    document = validation_document(validation)
+    document = validate_document(validation)
     assert not validation.passed
     assert document.verdict is not None
     assert "a body COULD NOT EXIST" in document.verdict.text
@@ -65,7 +65,7 @@ def test_a_body_that_could_not_exist_is_named() -> None:
 
 def test_many_models_share_one_column() -> None:
     validation = ur5check.validate("paper", "paper-listing", "appendix", "erd-ur5", samples=20)
-    table = validation_document(validation).sections[0].tables[0]
+    table = validate_document(validation).sections[0].tables[0]
     assert [column.title for column in table.columns] == [
         "",
         "law",
@@ -78,7 +78,7 @@ def test_many_models_share_one_column() -> None:
 
 
 def test_only_what_differs_is_listed(difference: Difference) -> None:
-    numbers = difference_document(difference).sections[0]
+    numbers = diff_document(difference).sections[0]
     tables = [table for table in numbers.tables if table.title.startswith("Numbers that differ")]
     listed = sum(len(table.rows) for table in tables)
     assert any(line.startswith(f"{60 - listed} of 60 masses, ") for line in numbers.lines)
@@ -86,7 +86,7 @@ def test_only_what_differs_is_listed(difference: Difference) -> None:
 
 
 def test_different_axes_are_measured(difference: Difference) -> None:
-    tables = difference_document(difference).sections[0].tables
+    tables = diff_document(difference).sections[0].tables
     between = [table.title == "What is left between the axes at q = 0" for table in tables]
     assert any(between) is not difference.pair.alignment.exact
     if any(between):
@@ -102,14 +102,14 @@ def test_the_same_arm_moved_agrees() -> None:
         name="moved",
         base=Transform.from_rpy((0.1, 0.2, 0.3), (0, 0, 0.5)) @ arm.base,
     )
-    document = difference_document(compare(arm, moved, random_states(6, 50, 0), 0))
+    document = diff_document(compare(arm, moved, random_states(6, 50, 0), 0))
     assert document.verdict is not None
     assert (document.verdict.word, document.verdict.good) == ("AGREE", True)
     assert "turned by" in document.sections[0].lines[0]
 
 
 def test_show_speaks_in_the_files_own_frames() -> None:
-    text = render_text(arm_document(ur5check.load("appendix")))
+    text = render_text(show_document(ur5check.load("appendix")))
     assert "(0, 0, 0.28)" in text  # upper_arm_link's <inertial><origin xyz>
     assert "(0, -119.7, 425)" in text  # elbow_joint's <origin xyz>
 
@@ -120,7 +120,7 @@ def test_reversed_and_shifted_joints_are_named() -> None:
     joints[2] = replace(joints[2], axis=-joints[2].axis)
     links[1] = replace(links[1], link_tip_frame=joints[1].motion(0.25) @ links[1].link_tip_frame)
     other = replace(arm, name="other", joints=tuple(joints), links=tuple(links))
-    document = difference_document(compare(arm, other, random_states(6, 50, 0), 0))
+    document = diff_document(compare(arm, other, random_states(6, 50, 0), 0))
     assert document.verdict is not None
     assert document.verdict.word == "AGREE"
     said = document.sections[0].lines[0]

@@ -11,8 +11,8 @@ from ur5check._comparison.attribution_detail import by_parameter
 from ur5check._comparison.diagnosis.diagnosis import diagnose
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
+from ur5check._reports.diff_document import diff_document
 from ur5check._reports.diff_sections.mistakes_found import findings_section
-from ur5check._reports.difference_document import difference_document
 from ur5check._reports.document import Document, Section, Table
 from ur5check._reports.explanation_summary import removed
 
@@ -29,7 +29,7 @@ SECTIONS = [
 
 @pytest.fixture(scope="session")
 def document(explanation: Explanation) -> Document:
-    return difference_document(explanation.difference, explanation)
+    return diff_document(explanation.difference, explanation)
 
 
 @pytest.fixture(scope="session")
@@ -55,7 +55,7 @@ def test_sections_stand_in_order(document: Document) -> None:
 
 
 def test_a_quick_report_gives_no_reasons(difference: Difference) -> None:
-    titles = [section.title for section in difference_document(difference).sections]
+    titles = [section.title for section in diff_document(difference).sections]
     assert titles == ["The numbers", "Whose newton metres"]
 
 
@@ -110,13 +110,13 @@ def test_owners_that_cancel_are_said_to() -> None:
     inertias[1] = heavy.expressed_in(arm.links[1].link_tip_frame.inverse())
     d = ur5check.diff(arm, arm.with_inertias(inertias), samples=200)
     assert d.attribution.cancels
-    lines = section(difference_document(d), "Whose newton metres").lines
+    lines = section(diff_document(d), "Whose newton metres").lines
     assert any("work against each other" in line for line in lines)
 
 
 def test_parameters_on_demand(difference: Difference) -> None:
     parameters = by_parameter(difference.pair, difference.states)
-    document = difference_document(difference, parameters=parameters)
+    document = diff_document(difference, parameters=parameters)
     found = table(section(document, "Whose newton metres"), "Parameter by parameter")
     if difference.pair.a.name == "paper-listing":
         assert column(found, "parameter") == ["geometry"]
@@ -134,7 +134,7 @@ def test_every_parameter_stands_in_its_links_row(document: Document) -> None:
 
 def test_combinations_are_written_out_on_demand(explanation: Explanation) -> None:
     d = explanation.difference
-    document = difference_document(d, explanation, written_out=True)
+    document = diff_document(d, explanation, written_out=True)
     combinations = table(section(document, "What torque cannot see"), "What torque does see")
     assert len(combinations.rows) == 36
 
@@ -166,7 +166,7 @@ def test_the_gravest_oddity_comes_first(document: Document, explanation: Explana
 
 
 def test_where_nothing_differs_nothing_is_explained(equal: Explanation) -> None:
-    document = difference_document(equal.difference, equal)
+    document = diff_document(equal.difference, equal)
     assert document.verdict is not None
     assert document.verdict.word == "AGREE"
     assert section(document, "What went wrong").tables == ()

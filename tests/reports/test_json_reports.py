@@ -16,7 +16,7 @@ from repository import REPOSITORY
 from ur5check._comparison.attribution_detail import by_parameter
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
-from ur5check._reports.difference_json import arm_json, difference_json, validation_json
+from ur5check._reports.diff_json import diff_json, show_json, validate_json
 from ur5check._reports.json_values import json_text
 from ur5check._validation.validation import Validation
 
@@ -40,14 +40,14 @@ def test_the_schema_is_one() -> None:
 
 
 def test_the_schema_refuses_a_wrong_report(validation: Validation) -> None:
-    report = validation_json(validation)
+    report = validate_json(validation)
     report["checks"][0]["value"] = "small"
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.Draft202012Validator(SCHEMA).validate(report)
 
 
 def test_validation(validation: Validation) -> None:
-    report = read_back(validation_json(validation, command="ur5check validate"))
+    report = read_back(validate_json(validation, command="ur5check validate"))
     assert report["schema"] == "ur5check.validation/1"
     assert report["verdict"] == dict.fromkeys(report["verdict"], True)
     assert len(report["checks"]) == len(validation.outcomes)
@@ -58,7 +58,7 @@ def test_validation(validation: Validation) -> None:
 
 
 def test_failure(failing: Validation) -> None:
-    report = read_back(validation_json(failing))
+    report = read_back(validate_json(failing))
     assert not report["verdict"]["passed"]
     failed = [check for check in report["checks"] if check["status"] == "fail"]
     assert all(check["value"] > check["tolerance"] for check in failed)
@@ -66,7 +66,7 @@ def test_failure(failing: Validation) -> None:
 
 
 def test_difference_keeps_every_digit(difference: Difference) -> None:
-    report = read_back(difference_json(difference))
+    report = read_back(diff_json(difference))
     assert [row["max"] for row in report["torques"]] == difference.torques.maximum.tolist()
     shares = [contribution["share"] for contribution in report["account"]["contributions"]]
     assert sum(shares) == pytest.approx(1.0)
@@ -75,7 +75,7 @@ def test_difference_keeps_every_digit(difference: Difference) -> None:
 
 
 def test_the_worst_state_makes_the_maximum_again(difference: Difference) -> None:
-    report = read_back(difference_json(difference))
+    report = read_back(diff_json(difference))
     for i, row in enumerate(report["torques"]):
         q, qd, qdd = (np.array(row["worst_state"][key]) for key in ("q", "qd", "qdd"))
         tau_a, tau_b = (
@@ -97,11 +97,11 @@ EXPLAINED = {
 
 
 def test_a_quick_report_leaves_the_explanation_out(difference: Difference) -> None:
-    assert not EXPLAINED & set(difference_json(difference))
+    assert not EXPLAINED & set(diff_json(difference))
 
 
 def test_the_explanation_comes_whole(explanation: Explanation) -> None:
-    report = read_back(difference_json(explanation.difference, explanation))
+    report = read_back(diff_json(explanation.difference, explanation))
     assert set(report) >= EXPLAINED
     for key in EXPLAINED:
         part = {name: value for name, value in report.items() if name != key}
@@ -110,7 +110,7 @@ def test_the_explanation_comes_whole(explanation: Explanation) -> None:
 
 
 def test_owners_and_terms_add_up(explanation: Explanation) -> None:
-    report = read_back(difference_json(explanation.difference, explanation))
+    report = read_back(diff_json(explanation.difference, explanation))
     contributions = report["attribution"]
     assert sum(contribution["weight"] for contribution in contributions) == pytest.approx(1.0)
     assert sum(contribution["share"] for contribution in contributions) == pytest.approx(1.0)
@@ -121,7 +121,7 @@ def test_owners_and_terms_add_up(explanation: Explanation) -> None:
 
 
 def test_every_parameter_has_one_label(explanation: Explanation) -> None:
-    seen = read_back(difference_json(explanation.difference, explanation))["identifiability"]
+    seen = read_back(diff_json(explanation.difference, explanation))["identifiability"]
     labelled = [*seen["identifiable"], *seen["in_combination"], *seen["invisible"]]
     assert (seen["columns"], seen["rank"]) == (60, 36)
     assert len(set(labelled)) == len(labelled) == 60
@@ -130,7 +130,7 @@ def test_every_parameter_has_one_label(explanation: Explanation) -> None:
 
 
 def test_findings_are_evidence(explanation: Explanation) -> None:
-    report = read_back(difference_json(explanation.difference, explanation))
+    report = read_back(diff_json(explanation.difference, explanation))
     found = report["diagnosis"]
     assert [finding["before"] for finding in found[1:]] == [f["after"] for f in found[:-1]]
     assert sum(f["removes"] for f in found) == pytest.approx(1.0, abs=0.15)
@@ -149,7 +149,7 @@ def test_findings_are_evidence(explanation: Explanation) -> None:
 def test_the_worst_case_makes_its_value_again(explanation: Explanation) -> None:
     d = explanation.difference
     names = [joint.name for joint in d.pair.a.joints]
-    cases = read_back(difference_json(d, explanation))["worst_case"]
+    cases = read_back(diff_json(d, explanation))["worst_case"]
     assert len(cases) == 2 * (len(names) + 1)
     for case in cases:
         if case["joint"] is None:
@@ -164,7 +164,7 @@ def test_the_worst_case_makes_its_value_again(explanation: Explanation) -> None:
 
 def test_parameters_on_demand(difference: Difference) -> None:
     parameters = by_parameter(difference.pair, difference.states)
-    report = read_back(difference_json(difference, parameters=parameters))
+    report = read_back(diff_json(difference, parameters=parameters))
     assert len(report["by_parameter"]) == 63
     assert sum(contribution["share"] for contribution in report["by_parameter"]) == pytest.approx(
         1.0
@@ -173,7 +173,7 @@ def test_parameters_on_demand(difference: Difference) -> None:
 
 @pytest.mark.parametrize("name", ["paper", "appendix"])
 def test_arm(name: str) -> None:
-    report = read_back(arm_json(ur5check.load(name)))
+    report = read_back(show_json(ur5check.load(name)))
     assert report["name"] == name
     assert len(report["joints"]) == len(report["links"]) == 6
 

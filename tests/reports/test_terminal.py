@@ -10,11 +10,11 @@ from rich.cells import cell_len
 
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
-from ur5check._reports.difference_document import difference_document
+from ur5check._reports.diff_document import diff_document
 from ur5check._reports.document import Column, Document, Row, Section, Table
 from ur5check._reports.provenance import Provenance
 from ur5check._reports.terminal import render_text
-from ur5check._reports.validation_document import validation_document
+from ur5check._reports.validate_document import validate_document
 from ur5check._validation.validation import Validation
 
 
@@ -42,41 +42,41 @@ def assert_whole(document: Document, width: int) -> None:
 
 @pytest.mark.parametrize("width", [80, 100])
 def test_validation_has_no_broken_line(validation: Validation, width: int) -> None:
-    assert_whole(validation_document(validation), width)
+    assert_whole(validate_document(validation), width)
 
 
 @pytest.mark.parametrize("width", [80, 100])
 def test_failure_has_no_broken_line(failing: Validation, width: int) -> None:
-    assert_whole(validation_document(failing), width)
+    assert_whole(validate_document(failing), width)
 
 
 @pytest.mark.parametrize("width", [80, 100])
 def test_difference_has_no_broken_line(difference: Difference, width: int) -> None:
-    assert_whole(difference_document(difference), width)
+    assert_whole(diff_document(difference), width)
 
 
 @pytest.mark.parametrize("width", [80, 100])
 def test_explanation_has_no_broken_line(explanation: Explanation, width: int) -> None:
-    assert_whole(difference_document(explanation.difference, explanation, written_out=True), width)
+    assert_whole(diff_document(explanation.difference, explanation, written_out=True), width)
 
 
 def test_the_first_screen_tells_it(explanation: Explanation) -> None:
     """24 lines of 100 columns: the verdict, the story, and the mistake that costs most."""
     d = explanation.difference
-    screen = render_text(difference_document(d, explanation), width=100).splitlines()[:24]
+    screen = render_text(diff_document(d, explanation), width=100).splitlines()[:24]
     assert screen[2].startswith("DIFFER: ")
     dearest = max(explanation.diagnosis.findings, key=lambda f: f.before - f.after)
     assert any(re.match(rf"\d  {re.escape(dearest.id)} ", line) for line in screen)
 
 
 def test_laws_stand_in_one_line_each_at_100_columns(validation: Validation) -> None:
-    lines = render_text(validation_document(validation), width=100).splitlines()
+    lines = render_text(validate_document(validation), width=100).splitlines()
     laws = {o.statement for o in validation.outcomes if o.about == "algorithm"}
     assert sum(line.startswith("ok  ") for line in lines) == len(laws) == 15
 
 
 def test_colour_adds_nothing_but_colour(failing: Validation) -> None:
-    document = validation_document(failing)
+    document = validate_document(failing)
     coloured = render_text(document, colour=True)
     plain = re.sub(r"\x1b\[[0-9;]*m", "", coloured)
     assert coloured != plain

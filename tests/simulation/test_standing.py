@@ -9,7 +9,7 @@ from scipy.linalg import eigh
 
 import ur5check
 from ur5check._errors import StateError, UsageError
-from ur5check._reports.simulation_summary import reason, summarize, verdict
+from ur5check._reports.simulate_summary import reason, summarize, verdict
 from ur5check._simulation.equilibrium import gravity_stiffness, growth_rate
 from ur5check._simulation.free_motion import integrated
 from ur5check._simulation.integration import REFERENCE

@@ -11,7 +11,7 @@ import ur5check
 from examples import random_arm
 from ur5check._engines.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
-from ur5check._reports import validation_summary as summary
+from ur5check._reports import validate_summary as summary
 from ur5check._robot.states import random_states
 from ur5check._validation.validation import validate_arm
 

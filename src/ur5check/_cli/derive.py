@@ -78,11 +78,11 @@ def _text(target: str, arm: SerialArm, derivation: Derivation, command: str) -> 
     from .._dynamics.symbolic.to_latex import to_latex
     from .._dynamics.symbolic.to_python import to_python
     from .._dynamics.symbolic.to_sympy import to_sympy
-    from .._reports.closed_form_json import closed_form_json
+    from .._reports.derive_json import derive_json
     from .._reports.json_values import json_text
 
     if target == "json":
-        return json_text(closed_form_json(arm, derivation, command=command))
+        return json_text(derive_json(arm, derivation, command=command))
     printers = {"python": to_python, "c": to_c, "sympy": to_sympy, "latex": to_latex}
     return printers[target](derivation.program, head=_head(arm, derivation, command))
 

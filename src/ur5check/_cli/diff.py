@@ -67,8 +67,8 @@ def run(args: argparse.Namespace) -> int:
     from .._comparison.attribution_detail import by_parameter
     from .._comparison.difference import diff
     from .._comparison.explanation import explain
-    from .._reports.difference_document import difference_document
-    from .._reports.difference_json import difference_json
+    from .._reports.diff_document import diff_document
+    from .._reports.diff_json import diff_json
     from .._robot.states import MAX_ACCELERATION
 
     def say(line: str) -> None:
@@ -87,14 +87,14 @@ def run(args: argparse.Namespace) -> int:
     text = rendered(
         form,
         args.output,
-        document=lambda: difference_document(
+        document=lambda: diff_document(
             d,
             explanation,
             parameters=parameters,
             written_out=args.by_parameter or form == "markdown",
             command=command,
         ),
-        report=lambda: difference_json(d, explanation, parameters=parameters, command=command),
+        report=lambda: diff_json(d, explanation, parameters=parameters, command=command),
     )
     if args.repair is not None and explanation is not None:
         from .repaired_model import repair

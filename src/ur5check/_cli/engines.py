@@ -80,7 +80,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _list(args: argparse.Namespace) -> int:
-    from .._reports.engine_list import engines_list_document, engines_list_json
+    from .._reports.engines_list_document import engines_list_document, engines_list_json
 
     check_output(args.output, ())
     text = rendered(
@@ -135,8 +135,8 @@ def _fleet(args: argparse.Namespace) -> int:
 
     from .._engines.audit.engine_comparison import SAME_ROBOT
     from .._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_fleet
-    from .._reports.engines_json import fleet_json
-    from .._reports.fleet_document import fleet_document
+    from .._reports.engines_fleet_document import engines_fleet_document
+    from .._reports.engines_json import engines_fleet_json
 
     args.samples = FLEET_SAMPLES if args.samples is None else args.samples
     args.tolerance = SAME_ROBOT if args.tolerance is None else args.tolerance
@@ -155,8 +155,8 @@ def _fleet(args: argparse.Namespace) -> int:
     text = rendered(
         format_of(args.format, args.output),
         args.output,
-        document=lambda: fleet_document(fleet, **shown),
-        report=lambda: fleet_json(fleet, **shown),
+        document=lambda: engines_fleet_document(fleet, **shown),
+        report=lambda: engines_fleet_json(fleet, **shown),
     )
     emit(text, args.output)
     return 0 if fleet.worst(as_read=args.as_read) <= args.tolerance else 1

@@ -31,7 +31,6 @@ COMMANDS = {
     "paper": "the paper's nine cases, and what came of each of its claims",
     "simulate": "the paper's test 9: does an arm stand under a model's torques, or move",
     "engines": "do Pinocchio, MuJoCo, Drake, DART, … mean the same robot; who is here",
-    "bench": "how fast torques are computed here, next to whom",
     "derive": "torques, M, C or g in closed form, as Python, C, SymPy or LaTeX",
     "show": "a model as ur5check understands it",
     "expand": "a xacro as the URDF that it stands for",

@@ -33,16 +33,16 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=True)
     check_output(args.output, options.files(arms))
 
-    from .._reports.arm_document import arm_document
-    from .._reports.difference_json import arm_json
+    from .._reports.diff_json import show_json
+    from .._reports.show_document import show_document
 
     (arm,) = arms
     command = command_line("show", args, (args.model,))
     text = rendered(
         format_of(args.format, args.output),
         args.output,
-        document=lambda: arm_document(arm, command=command),
-        report=lambda: arm_json(arm, command=command),
+        document=lambda: show_document(arm, command=command),
+        report=lambda: show_json(arm, command=command),
     )
     emit(text, args.output)
     return 0

@@ -82,8 +82,8 @@ def run(args: argparse.Namespace) -> int:
     plant, model = arms = options.load(quiet=args.quiet)
     _check_outputs(args, options.files(arms))
 
-    from .._reports.simulation_document import simulation_document
-    from .._reports.simulation_json import simulation_json
+    from .._reports.simulate_document import simulate_document
+    from .._reports.simulate_json import simulate_json
     from .._simulation.static_hold import stand
 
     def say(line: str) -> None:
@@ -105,8 +105,8 @@ def run(args: argparse.Namespace) -> int:
     text = rendered(
         format_of(args.format, args.output),
         args.output,
-        document=lambda: simulation_document(s, command=command),
-        report=lambda: simulation_json(s, command=command),
+        document=lambda: simulate_document(s, command=command),
+        report=lambda: simulate_json(s, command=command),
     )
     if args.figure is not None:
         from .._paper.figures.figure_files import as_png, as_svg

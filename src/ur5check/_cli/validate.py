@@ -46,8 +46,8 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=args.quiet)
     check_output(args.output, options.files(arms))
 
-    from .._reports.difference_json import validation_json
-    from .._reports.validation_document import validation_document
+    from .._reports.diff_json import validate_json
+    from .._reports.validate_document import validate_document
     from .._validation.validation import validate
 
     validation = validate(
@@ -61,8 +61,8 @@ def run(args: argparse.Namespace) -> int:
     text = rendered(
         format_of(args.format, args.output),
         args.output,
-        document=lambda: validation_document(validation, command=command),
-        report=lambda: validation_json(validation, command=command),
+        document=lambda: validate_document(validation, command=command),
+        report=lambda: validate_json(validation, command=command),
     )
     emit(text, args.output)
     return 0 if validation.passed else 1

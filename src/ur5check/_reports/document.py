@@ -7,7 +7,7 @@
              └─ Provenance
 
 A renderer (`terminal`, `markdown`) shows any Document; what is in one is decided in
-`validation_document`, `difference_document` and `arm_document`.  All numbers are text by then.
+`validate_document`, `diff_document` and `show_document`.  All numbers are text by then.
 """
 
 from __future__ import annotations

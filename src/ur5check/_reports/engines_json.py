@@ -10,7 +10,7 @@ from .engines_summary import deed, summarize
 from .json_head import json_head
 from .json_values import Report, model_value, strict
 
-__all__ = ["engines_json", "fleet_json"]
+__all__ = ["engines_fleet_json", "engines_json"]
 
 
 def engines_json(
@@ -47,7 +47,7 @@ def engines_json(
     )
 
 
-def fleet_json(
+def engines_fleet_json(
     fleet: FleetReport, *, limit: float = SAME_ROBOT, as_read: bool = False, command: str = ""
 ) -> Report:
     """`engines --fleet` as ur5check.fleet/1."""

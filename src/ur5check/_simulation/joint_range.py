@@ -31,10 +31,6 @@ class JointRange:
         """Distance of the joint that is nearest to its end [rad]; negative beyond it."""
         return float(np.minimum(q - self.lower, self.upper - q).min())
 
-    def first_out(self, q: Array) -> int:
-        """Index of the joint that is nearest to its end."""
-        return int(np.minimum(q - self.lower, self.upper - q).argmin())
-
 
 def joint_range_of(arm: SerialArm, q: Array) -> JointRange:
     """The joints' limits; a full turn either way of `q`, shape (n,) [rad], where there are none.

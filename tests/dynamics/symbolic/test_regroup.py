@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from references import states
+from speed.random_chain import chain
 
 import ur5check
 from examples import random_arm
 from ur5check import strategies
-from ur5check._benchmarking.growth import chain
 from ur5check._dynamics.symbolic import parameter_regrouping as regroup
 from ur5check._dynamics.symbolic import target_values as target_values
 from ur5check._dynamics.symbolic.parameter_regrouping import regroupings, slid

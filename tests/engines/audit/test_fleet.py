@@ -24,8 +24,8 @@ from ur5check._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_flee
 from ur5check._engines.registry import installed
 from ur5check._io.example_robots import FLEET
 from ur5check._io.urdf.urdf_reader import read_urdf
-from ur5check._reports.engines_json import fleet_json
-from ur5check._reports.fleet_document import fleet_document
+from ur5check._reports.engines_fleet_document import engines_fleet_document
+from ur5check._reports.engines_json import engines_fleet_json
 from ur5check._reports.markdown import render_markdown
 
 DOCS = REPOSITORY / "docs"
@@ -123,15 +123,15 @@ def test_a_command_of_the_page_runs(command, tmp_path, monkeypatch, capsys):
 
 
 def test_the_fleet_is_a_report(fleet, capsys, monkeypatch, tmp_path):
-    said = render_markdown(fleet_document(fleet))
+    said = render_markdown(engines_fleet_document(fleet))
     assert "**AGREE: as read, the engines hold the same robot for 33 of 35 arms" in said
     assert "finger-edu is not held against MuJoCo" in said
-    assert "**DIFFER:" in render_markdown(fleet_document(fleet, as_read=True))
+    assert "**DIFFER:" in render_markdown(engines_fleet_document(fleet, as_read=True))
     schema = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
-    report = json.loads(json.dumps(fleet_json(fleet), allow_nan=False))
+    report = json.loads(json.dumps(engines_fleet_json(fleet), allow_nan=False))
     jsonschema.Draft202012Validator(schema).validate(report)
     assert report["agree"]
-    assert not fleet_json(fleet, as_read=True)["agree"]
+    assert not engines_fleet_json(fleet, as_read=True)["agree"]
     monkeypatch.setattr(fleet_module, "FLEET", [one for one in FLEET if one.name == "xarm7"])
     options = ["engines", "--fleet", "--with", "dart", "--samples", "5", "--quiet"]
     assert main(options) == 0

@@ -1,1 +1,1 @@
-"""Making an arm follow: trajectories, computed torque, and what a wrong model or sign costs."""
+"""Trajectories, computed torque, and tracking with a wrong model or sign."""

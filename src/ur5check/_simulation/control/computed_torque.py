@@ -1,8 +1,8 @@
-"""Computed torque: the model's dynamics turn wanted accelerations into torques (paper, eqs 16–28).
+"""Computed torque: inverse dynamics of a commanded acceleration (paper, eqs 16–28).
 
     τ = M(θ) K + C(θ, θ̇) θ̇ + g(θ)                                                      (17)
 
-which is inverse dynamics of the acceleration K.  Whatever engine holds the model can be asked.
+which is the inverse dynamics of the acceleration K, computed by any engine.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ __all__ = ["ComputedTorque", "effort_limits"]
 class ComputedTorque:
     """The controller.
 
-    model : an engine that holds the arm which the controller believes in
+    model : an engine that holds the controller's model
     gains : K_p, K_i, K_d
-    law : which form of the feedback, see `law`
-    limits : the most that each joint is given, either way, shape (n,) [N m]; None: whatever it asks
+    law : form of the feedback
+    limits : largest absolute torque of each joint, shape (n,) [N m]; None: no limits
 
-    A torque at its limit is cut off there, joint by joint.  The integral goes on growing meanwhile
-    (there is no anti-windup): limits that act for long show as overshoot.
+    Each joint's torque is clipped to its limit.  The integral is not (no anti-windup): limits that
+    act for long cause overshoot.
     """
 
     model: Engine
@@ -55,9 +55,9 @@ class ComputedTorque:
 
 
 def effort_limits(arm: SerialArm) -> Array:
-    """What the arm's joints can give, shape (n,) [N m].
+    """The effort limits of the joints, shape (n,) [N m].
 
-    Raises UsageError if the arm's source does not say it of every joint.
+    Raises UsageError if a joint has none.
     """
     for joint in arm.joints:
         if not joint.limits.effort:

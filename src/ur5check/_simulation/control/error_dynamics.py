@@ -1,17 +1,17 @@
-"""Is the loop stable?  The error of an exactly modelled arm obeys a linear equation; ask its poles.
+"""Stability of the loop: with an exact model the error obeys a linear equation, which has poles.
 
 With model and plant the same, M(θ) (K − θ̈) = 0 (paper, eqs 18–20), so θ̈ = K and
 
-    ë + σ (K_d ė + K_p e + K_i ∫e) = 0, or θ̈_d where eq. (28) leaves it out
+    ë + σ (K_d ė + K_p e + K_i ∫e) = 0, or = θ̈_d where eq. (28) omits it
 
-with σ = +1 for feedback that pushes an error down and −1 as eqs (22) and (23) print it.  As a first
-order system in x = (∫e, e, ė) this is ẋ = A x with the block companion matrix
+with σ = +1 for feedback that reduces an error and −1 as printed in eqs (22) and (23).  As a
+first-order system in x = (∫e, e, ė) this is ẋ = A x with the block companion matrix
 
         ⎡    0       1       0   ⎤
     A = ⎢    0       0       1   ⎥
         ⎣ −σ K_i  −σ K_p  −σ K_d ⎦
 
-and an error dies out exactly if every eigenvalue of A has a negative real part (Siciliano et al.
+and every error decays exactly if all eigenvalues of A have negative real parts (Siciliano et al.
 2009, ch. 8 and app. C).
 """
 
@@ -24,13 +24,13 @@ from ..._robot.transforms import Array
 from .feedback_law import FeedbackLaw
 from .gains import Gains
 
-__all__ = ["companion_matrix", "is_stable", "poles"]
+__all__ = ["companion_matrix", "poles"]
 
 
 def companion_matrix(gains: Gains, law: FeedbackLaw = FeedbackLaw.RIGHT) -> Array:
     """A, shape (3 n, 3 n), of the state (∫e, e, ė); without a K_i, shape (2 n, 2 n) of (e, ė).
 
-    An integral that is fed back nowhere is no part of the loop: its zero eigenvalues say nothing.
+    Without K_i the integral is not part of the loop, and its zero eigenvalues are meaningless.
     """
     n, one, zero = gains.n, np.eye(gains.n), np.zeros((gains.n, gains.n))
     ki, kp, kd = (-law.sign * gain for gain in (gains.ki, gains.kp, gains.kd))
@@ -43,8 +43,3 @@ def poles(gains: Gains, law: FeedbackLaw = FeedbackLaw.RIGHT) -> NDArray[np.comp
     """Eigenvalues of the error dynamics [1/s], complex, the least damped first."""
     values = np.linalg.eigvals(companion_matrix(gains, law)).astype(np.complex128)
     return values[np.argsort(-values.real, kind="stable")]
-
-
-def is_stable(gains: Gains, law: FeedbackLaw = FeedbackLaw.RIGHT) -> bool:
-    """Whether every error dies out."""
-    return bool(poles(gains, law)[0].real < 0.0)

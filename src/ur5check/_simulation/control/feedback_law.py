@@ -1,6 +1,6 @@
-"""Three forms of the paper's feedback: its equations disagree with each other, and with stability.
+"""Three forms of the feedback: the stable one, and two that the paper prints.
 
-With the error e = θ_d − θ (eq. 21), the joint accelerations asked for are
+With the error e = θ_d − θ (eq. 21), the commanded joint acceleration is
 
     as it must be    K = θ̈_d + K_p e + K_i ∫e dt + K_d ė
     eqs (22), (23)   K = θ̈_d − K_p e − K_i ∫e dt − K_d ė      as printed
@@ -15,7 +15,7 @@ __all__ = ["FeedbackLaw"]
 
 
 class FeedbackLaw(Enum):
-    """Which form; the value is its name in reports."""
+    """Form of the feedback; the value is its name in reports."""
 
     RIGHT = "as it must be"
     PRINTED_22 = "eqs (22), (23) as printed"
@@ -23,10 +23,10 @@ class FeedbackLaw(Enum):
 
     @property
     def sign(self) -> float:
-        """Of the feedback: +1 pushes an error down, −1 up."""
+        """Of the feedback: +1 reduces an error, −1 increases it."""
         return -1.0 if self is FeedbackLaw.PRINTED_22 else 1.0
 
     @property
     def feeds_forward(self) -> bool:
-        """Whether θ̈_d is part of it."""
+        """Whether K contains θ̈_d."""
         return self is not FeedbackLaw.PRINTED_28

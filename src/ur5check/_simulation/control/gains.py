@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..._errors import UsageError
 from ..._robot.transforms import Array, frozen
@@ -31,7 +30,7 @@ class Gains:
             if matrix.shape != (n, n) or n == 0:
                 raise UsageError(
                     f"{name} has shape {matrix.shape}; give three square matrices of one size, "
-                    "one row and one column a joint"
+                    "one row and one column per joint"
                 )
             if not np.isfinite(matrix).all():
                 raise UsageError(f"{name} must hold finite numbers only")
@@ -43,15 +42,10 @@ class Gains:
         return len(self.kp)
 
     @classmethod
-    def diagonal(cls, kp: ArrayLike, ki: ArrayLike, kd: ArrayLike) -> Gains:
-        """Joints that know nothing of each other; each gain of shape (n,)."""
-        return cls(*(np.diag(np.atleast_1d(np.asarray(gain, float))) for gain in (kp, ki, kd)))
-
-    @classmethod
     def placed(cls, n: int, poles: tuple[float, float, float]) -> Gains:
         """The same three poles [1/s] for every joint's error: (s − p₁)(s − p₂)(s − p₃).
 
-        Raises UsageError for poles that do not die out.
+        Raises UsageError for poles that are not negative.
         """
         if max(poles) >= 0.0:
             raise UsageError(f"poles must be negative, not {', '.join(f'{p:g}' for p in poles)}")

@@ -1,9 +1,8 @@
-"""A controller and a plant, closed into a loop: how well does the arm follow, and at what price?
+"""A controller and a plant in a loop: tracking errors, torques and energy.
 
-The plant is whatever engine holds the arm that moves; the controller believes in its own.  Both
-speak the same joint coordinates (`_comparison.arm_pair` brings one arm's into another's).  The loop
-is continuous: torques follow the state without delay.  What is measured is then the model's and the
-law's doing, not the sampling's.
+The plant is an engine that holds the simulated arm; the controller has its own model.  Both use the
+same joint coordinates (`_comparison.arm_pair` aligns two arms).  The loop is continuous, without
+sampling or delay, so that errors come from the model and the law alone.
 """
 
 from __future__ import annotations
@@ -22,18 +21,18 @@ from .trajectory import Trajectory
 
 __all__ = ["LOST", "Tracking", "track"]
 
-#: A joint that is half a turn from where it should be is not following any more [rad].
+#: Tracking error at which a simulation ends [rad].
 LOST = float(np.pi)
 
 
 @dataclass(frozen=True, eq=False)
 class Tracking:
-    """What came of following a trajectory; K instants, n joints.
+    """Result of following a trajectory at K instants with n joints.
 
     t : shape (K,) [s];  wanted, q : [rad], qd : [rad/s], tau : [N m], each of shape (K, n)
-    work : ∫ |τ_i q̇_i| dt of each joint, shape (K, n) [J]: what motors spend that win nothing back
+    work : ∫ |τ_i q̇_i| dt of each joint, shape (K, n) [J]: without energy recovery
     at_limit : whether a joint's torque was at its limit, shape (K, n)
-    lost : whether it ended because a joint was LOST from its reference
+    lost : whether it ended early because an error reached LOST
     """
 
     t: Array
@@ -58,24 +57,20 @@ class Tracking:
         """Largest error of each joint, shape (n,) [rad]."""
         return np.asarray(np.abs(self.error).max(axis=0))
 
-    def torque_rms(self) -> Array:
-        """Of each joint, shape (n,) [N m]."""
-        return np.sqrt(self._mean(self.tau**2))
-
     def torque_peak(self) -> Array:
         """Of each joint, shape (n,) [N m]."""
         return np.asarray(np.abs(self.tau).max(axis=0))
 
     def energy(self) -> float:
-        """What all motors spent [J]."""
+        """Of all motors [J]."""
         return float(self.work[-1].sum())
 
     def time_at_limit(self) -> Array:
-        """Part of the time that each joint's torque was at its limit, shape (n,)."""
+        """Share of the time that each joint's torque was at its limit, shape (n,)."""
         return self._mean(self.at_limit.astype(np.float64))
 
     def _mean(self, values: Array) -> Array:
-        """Over time; instants need not be evenly spaced."""
+        """Mean over time; instants need not be evenly spaced."""
         if len(self.t) < 2:
             return np.asarray(values[0])
         return np.asarray(np.trapezoid(values, self.t, axis=0) / (self.t[-1] - self.t[0]))
@@ -93,15 +88,15 @@ def track(
 ) -> Tracking:
     """Let `controller` drive `plant` along `trajectory`.
 
-    q : where the plant starts, at the reference's velocity, shape (n,) [rad]; on the trajectory
-        when None
-    seconds : for how long; the trajectory's duration when None
-    instants : how many are kept, evenly spaced
+    q : initial position of the plant, shape (n,) [rad]; by default on the trajectory.  Its initial
+        velocity is the reference's
+    seconds : simulated time; by default the trajectory's duration
+    instants : number of evenly spaced instants in the result
 
-    Raises UsageError for arms, gains and trajectories of different numbers of joints.
+    Raises UsageError if the numbers of joints of arms, gains and trajectory differ.
     """
     n = trajectory.n
-    _refuse_sizes(controller, plant, n)
+    _require_same_size(controller, plant, n)
     begin = trajectory.at(0.0)
     start = np.asarray(begin.q if q is None else q, dtype=np.float64)
     end = trajectory.duration if seconds is None else seconds
@@ -137,7 +132,7 @@ def track(
     )
 
 
-def _refuse_sizes(controller: ComputedTorque, plant: Engine, n: int) -> None:
+def _require_same_size(controller: ComputedTorque, plant: Engine, n: int) -> None:
     sizes = {
         "the gains": controller.gains.n,
         "the controller's model": len(controller.model.imported_model().joints),

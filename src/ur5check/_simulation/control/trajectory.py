@@ -1,4 +1,4 @@
-"""Where an arm should be: position, velocity and acceleration at any instant."""
+"""Desired position, velocity and acceleration at any instant."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["Quintic", "Reference", "Trajectory"]
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """Wanted q [rad], q̇ [rad/s] and q̈ [rad/s²], each of shape (..., n)."""
+    """Desired q [rad], q̇ [rad/s] and q̈ [rad/s²], each of shape (..., n)."""
 
     q: Array
     qd: Array
@@ -24,7 +24,7 @@ class Reference:
 
 
 class Trajectory(Protocol):
-    """A motion of n joints over `duration` seconds; before and after it, it rests at its ends."""
+    """A motion of n joints over `duration` seconds; at rest before and after."""
 
     @property
     def n(self) -> int:
@@ -43,13 +43,13 @@ class Trajectory(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Quintic:
-    """From rest to rest, without a jump of acceleration: q = start + s(t/T) (goal − start).
+    """From rest to rest with continuous acceleration: q = start + s(t/T) (goal − start).
 
     s(x) = 10 x³ − 15 x⁴ + 6 x⁵ has s′ = s″ = 0 at both ends (Siciliano et al. 2009, §4.2.1).
 
     start, goal : shape (n,) [rad];  duration : T [s]
 
-    Raises UsageError for ends of different length, numbers that are not finite, or a T that is not
+    Raises UsageError for ends of different lengths, numbers that are not finite, or a T that is not
     positive.
     """
 
@@ -61,7 +61,8 @@ class Quintic:
         start, goal = (np.asarray(end, dtype=np.float64) for end in (self.start, self.goal))
         if start.ndim != 1 or start.shape != goal.shape:
             raise UsageError(
-                f"start has shape {start.shape} and goal {goal.shape}; give both one number a joint"
+                f"start has shape {start.shape} and goal {goal.shape}; give each one number per "
+                "joint"
             )
         if not (np.isfinite(start).all() and np.isfinite(goal).all()):
             raise UsageError("start and goal must be finite numbers")

@@ -1,1 +1,0 @@
-"""How fast, against whom: everything that `ur5check bench` measures."""
