@@ -8,9 +8,13 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+import ur5check
 from ur5check._cli.main import COMMANDS
+from ur5check._io.urdf.urdf_writer import urdf_of
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from .conftest import Command
 
 HEAVY = (
@@ -46,6 +50,40 @@ def test_only_the_chosen_command_is_imported() -> None:
     assert "ur5check._cli.show" in done.stderr
     assert "ur5check._cli.diff" not in done.stderr
     assert "ur5check._reports" not in done.stderr
+
+
+#: Each takes longer to import than the command needs for its work.
+_NOT_FOR_A_URDF = ("scipy", "trimesh", "collada", "networkx", "sympy", "yourdfpy", "xacro", "numba",
+                   "llvmlite", "matplotlib")  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("arguments", "also"),
+    [
+        (("show",), ("pinocchio",)),
+        (("show", "--format", "json"), ("pinocchio", "rich")),
+        (("validate", "--samples", "20"), ()),
+        (("diff", "--quick", "--samples", "20"), ()),
+    ],
+)
+def test_a_urdf_without_meshes_needs_no_heavy_library(
+    arguments: tuple[str, ...], also: tuple[str, ...], tmp_path: Path
+) -> None:
+    models = []
+    for name in ("paper", "appendix")[: 2 if arguments[0] == "diff" else 1]:
+        file = tmp_path / f"{name}.urdf"
+        file.write_text(urdf_of(ur5check.load(name)), encoding="utf-8")
+        models.append(str(file))
+    program = (
+        "import sys; from ur5check._cli.main import main; main(sys.argv[1:]); "
+        f"print([m for m in {(*_NOT_FOR_A_URDF, *also)} if m in sys.modules], file=sys.stderr)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, *arguments, *models, "--quiet"],
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert done.stdout
+    assert done.stderr == "[]\n"
 
 
 def test_as_a_module(process: Command) -> None:

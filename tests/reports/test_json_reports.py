@@ -16,8 +16,9 @@ from repository import REPOSITORY
 from ur5check._comparison.attribution_detail import by_parameter
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
-from ur5check._reports.diff_json import diff_json, show_json, validate_json
+from ur5check._reports.diff_json import diff_json, validate_json
 from ur5check._reports.json_values import json_text
+from ur5check._reports.show_json import show_json
 from ur5check._validation.validation import Validation
 
 DOCS = REPOSITORY / "docs"

@@ -33,8 +33,8 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=True)
     check_output(args.output, options.files(arms))
 
-    from .._reports.diff_json import show_json
     from .._reports.show_document import show_document
+    from .._reports.show_json import show_json
 
     (arm,) = arms
     command = command_line("show", args, (args.model,))

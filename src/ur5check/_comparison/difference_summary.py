@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from .._robot.transforms import Transform
 from .alignment import SAME_ANGLE, SAME_LENGTH
 from .attribution import Contribution
-from .difference import Difference
+
+if TYPE_CHECKING:
+    from .difference import Difference
 
 __all__ = [
     "base_in_words",

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
 from .._comparison.difference_summary import summarize as summarize_difference
-from .._comparison.explanation import Explanation
-from .._robot.serial_arm import SerialArm
-from .._validation.law import Outcome
-from .._validation.validation import Validation
-from .explanation_json import attribution_value, explanation_value
 from .json_head import json_head
-from .json_values import Report, alignment_value, inertia_value, joint_value, model_value, strict
+from .json_values import Report, alignment_value, inertia_value, model_value, strict
 from .validate_summary import summarize as summarize_validation
 
-__all__ = ["diff_json", "show_json", "validate_json"]
+if TYPE_CHECKING:
+    from .._comparison.explanation import Explanation
+    from .._validation.law import Outcome
+    from .._validation.validation import Validation
+
+__all__ = ["diff_json", "validate_json"]
 
 
 def validate_json(v: Validation, *, command: str = "") -> Report:
@@ -50,33 +52,14 @@ def diff_json(
     command: str = "",
 ) -> Report:
     """`diff` as ur5check.difference/1; its explanation and finer attribution where given."""
+    # Here, not above: `validate` has no explanation, and should not load what makes one.
+    from .explanation_json import attribution_value, explanation_value
+
     arms = [d.pair.a, d.pair.given_b]
     head = json_head("difference", arms, command, d.seed, len(d.states))
     explained = {} if explanation is None else explanation_value(explanation)
     finer = {} if parameters is None else {"by_parameter": attribution_value(parameters)}
     return strict({**head, **_difference(d), **explained, **finer})
-
-
-def show_json(arm: SerialArm, *, command: str = "") -> Report:
-    """`show` as ur5check.robot/1."""
-    return strict(
-        {
-            **json_head("arm", [arm], command),
-            **model_value(arm),
-            "gravity": arm.gravity,
-            "base_transform": arm.base.matrix(),
-            "joints": [joint_value(joint) for joint in arm.joints],
-            "links": [
-                {
-                    "name": link.name,
-                    "link_tip_frame": link.link_tip_frame.matrix(),
-                    "source_frame": link.source_frame.matrix(),
-                    "inertia": inertia_value(link.inertia),
-                }
-                for link in arm.links
-            ],
-        }
-    )
 
 
 def _check(o: Outcome) -> Report:

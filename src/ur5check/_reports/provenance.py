@@ -21,7 +21,6 @@ _LIBRARIES = {
     "numpy": "numpy",
     "scipy": "scipy",
     "xacro": "xacro",
-    "yourdfpy": "yourdfpy",
     "trimesh": "trimesh",
     "example-robot-data": "example-robot-data",
 }

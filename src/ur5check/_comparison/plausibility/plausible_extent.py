@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
 
 from ..._io.meshes.mesh_shapes import Shape
 from ..._robot.inertia import Inertia
 from ..._robot.serial_arm import Link
 from ..._robot.transforms import Array
 from .plausible_body import Plausibility, Severity
+
+if TYPE_CHECKING:
+    from scipy.spatial import ConvexHull
 
 __all__ = ["extent_findings"]
 
@@ -29,6 +32,8 @@ _LIGHTEST, _DENSEST = 200.0, 9000.0
 
 def extent_findings(number: int, link: Link, shapes: Sequence[Shape]) -> list[Plausibility]:
     """Centre of mass, radii of gyration and density against the shapes, in the source's frame."""
+    from scipy.spatial import ConvexHull, QhullError  # heavy: only links with shapes pay for it
+
     inertia = link.inertia.expressed_in(link.source_frame.inverse())
     points = np.concatenate([shape.vertices for shape in shapes])
     try:

@@ -16,7 +16,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import Bounds, minimize
 
 from ..._engines.pinocchio import PinocchioEngine
 from ..._robot.serial_arm import SerialArm, Source
@@ -86,6 +85,8 @@ class Ascent:
         value, x = self.best_corner(start, gain)
         if value <= 0.0 or not free.any():
             return value, x
+
+        from scipy.optimize import Bounds, minimize  # heavy: only a search pays for it
 
         def falling(z: Array) -> tuple[float, Array]:
             moved = x.copy()

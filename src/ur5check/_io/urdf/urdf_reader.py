@@ -1,7 +1,7 @@
 """A URDF's text to a `SerialArm`.
 
 Three readings, one after the other: `check_urdf` refuses what two readers could take differently,
-`urdf_robot` has yourdfpy turn the text into numbers, and `assembly` makes an arm of the chain from
+`Robot` has its numbers, and `assemble` makes an arm of the chain from
 base to tip.
 """
 

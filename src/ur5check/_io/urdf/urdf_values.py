@@ -1,49 +1,51 @@
-"""The numbers of a strictly checked URDF: poses, joints, inertias, each where the text has it."""
+"""The numbers of a strictly checked URDF: poses, joints, inertias."""
 
 from __future__ import annotations
 
-import io
-from typing import Any, Literal, NoReturn
+from dataclasses import dataclass
+from typing import Literal, NoReturn
 
 import numpy as np
-from lxml import etree
 
-from ..._errors import ModelError
 from ..._robot import Inertia, Joint, Limits, Transform
+from ..inertia_checks import printed_tensor
 from ..xml.xml_numbers import Element, ElementReader
 from .urdf_chain import Edge, Tree
+from .urdf_checks import ENTRIES
 
 __all__ = ["Robot"]
 
-# What bears on dynamics.  Shapes and pictures are left out: a broken mesh is no fault of the
-# dynamics, and nothing is to be fetched for it.
-_KEPT = {
-    "link": ("inertial",),
-    "joint": ("origin", "axis", "parent", "child", "limit", "dynamics", "mimic"),
-}
+_X = (1.0, 0.0, 0.0)  # URDF: a joint without <axis> moves about or along x
+
+
+@dataclass(frozen=True)
+class _Mimic:
+    joint: str
+    multiplier: float
+    offset: float
 
 
 class Robot:
-    """yourdfpy's reading of a file, the checked XML that says on which line things stand, and the
-    tree of both.
+    """The tree of a checked file, and the values of its links and joints.
 
-    root : what `check_urdf` returned
+    root : what `check_urdf` returned, so elements and numbers that it requires are there
     """
 
     def __init__(self, root: Element, file: str) -> None:
-        parsed = _parsed(root, file)
-        self.name: str = parsed.name
-        self.tree = Tree(
-            [link.name for link in parsed.links],
-            [Edge(joint.name, joint.type, joint.parent, joint.child) for joint in parsed.joints],
-            file,
-        )
-        self._joints = {joint.name: joint for joint in parsed.joints}
-        self._inertials = {link.name: link.inertial for link in parsed.links}
+        self.name = str(root.get("name"))
         self._reader = ElementReader(file)
-        self._nodes = {
-            tag: {node.get("name"): node for node in root.iterchildren(tag)} for tag in _KEPT
+        self._nodes: dict[str, dict[str, Element]] = {
+            tag: {node.get("name"): node for node in root.iterchildren(tag)}
+            for tag in ("link", "joint")
         }
+        edges = [
+            Edge(
+                name, joint.get("type"), joint.find("parent").get("link"),
+                joint.find("child").get("link"),
+            )
+            for name, joint in self._nodes["joint"].items()
+        ]  # fmt: skip
+        self.tree = Tree(list(self._nodes["link"]), edges, file)
 
     def fail(
         self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
@@ -52,51 +54,54 @@ class Robot:
         self._reader.fail(self._nodes[tag][name], f"{tag} {name!r}{part}", problem, fix)
 
     def mimicked(self, joint: str) -> str | None:
-        """The joint that this one copies, if it does."""
-        mimic = self._joints[joint].mimic
-        return None if mimic is None else str(mimic.joint)
+        """The joint that this one mimics, or None."""
+        mimic = self._mimic(joint)
+        return None if mimic is None else mimic.joint
 
     def joint_origin(self, edge: Edge) -> Transform:
         """Pose of the child's frame in the parent's, at q = 0."""
-        return self._pose(self._nodes["joint"][edge.joint], self._joints[edge.joint].origin)
+        return self._pose(self._nodes["joint"][edge.joint])
 
     def carried(self, edge: Edge) -> Transform:
         """A URDF's link has its frame where its joint is."""
         return Transform.identity()
 
     def joint(self, edge: Edge) -> Joint:
-        parsed = self._joints[edge.joint]
-        limit, bounded = parsed.limit, edge.kind != "continuous"
+        """Axis, limits, damping and friction of a joint."""
+        node, bounded = self._nodes["joint"][edge.joint], edge.kind != "continuous"
+        axis, limit, losses = node.find("axis"), node.find("limit"), node.find("dynamics")
         limits = Limits()
         if limit is not None:
             # URDF: a bound left out is 0, and a continuous joint has none.
             limits = Limits(
-                lower=(limit.lower or 0.0) if bounded else None,
-                upper=(limit.upper or 0.0) if bounded else None,
-                velocity=limit.velocity,
-                effort=limit.effort,
+                lower=(self._optional(limit, "lower") or 0.0) if bounded else None,
+                upper=(self._optional(limit, "upper") or 0.0) if bounded else None,
+                velocity=self._optional(limit, "velocity"),
+                effort=self._optional(limit, "effort"),
             )
         kind: Literal["revolute", "prismatic"] = (
             "prismatic" if edge.kind == "prismatic" else "revolute"
         )
-        losses = parsed.dynamics
         return Joint(
-            parsed.name,
-            parsed.axis,
+            edge.joint,
+            np.array(_X if axis is None else self._reader.triple(axis, "xyz", "", _X)),
             kind,
             limits,
-            damping=float((losses and losses.damping) or 0.0),  # URDF: left out, they are 0
-            friction=float((losses and losses.friction) or 0.0),
+            damping=self._optional(losses, "damping") or 0.0,  # URDF: left out, they are 0
+            friction=self._optional(losses, "friction") or 0.0,
         )
 
     def inertia(self, link: str) -> Inertia | None:
         """A link's own inertia, in the link's frame; None where it has no `<inertial>`."""
-        inertial = self._inertials[link]
+        inertial = self._nodes["link"][link].find("inertial")
         if inertial is None:
             return None
-        pose = self._pose(self._nodes["link"][link].find("inertial"), inertial.origin)
-        own = Inertia(inertial.mass, np.zeros(3), inertial.inertia)
-        return own.expressed_in(pose)
+        mass = self._reader.number(inertial.find("mass"), "value", "")
+        moments = inertial.find("inertia")
+        tensor, _ = printed_tensor(
+            {entry: self._reader.number(moments, entry, "") for entry in ENTRIES}
+        )
+        return Inertia(float(mass), np.zeros(3), tensor).expressed_in(self._pose(inertial))
 
     def held_pose(self, edge: Edge, moving: frozenset[str]) -> Transform:
         """Pose of the child of a joint that is fixed, or held still because it is not among the
@@ -106,7 +111,7 @@ class Robot:
         return pose if value == 0.0 else pose @ self.joint(edge).motion(value)
 
     def _held_at(self, name: str, moving: frozenset[str], followers: frozenset[str]) -> float:
-        mimic = self._joints[name].mimic
+        mimic = self._mimic(name)
         if mimic is None:
             return 0.0
         if mimic.joint in moving:
@@ -117,35 +122,18 @@ class Robot:
         followed = self._held_at(mimic.joint, moving, followers | {name})
         return float(mimic.multiplier * followed + mimic.offset)
 
-    def _pose(self, node: Element, parsed: Any) -> Transform:
-        """The pose that a node's `<origin>` gives.
+    def _mimic(self, joint: str) -> _Mimic | None:
+        node = self._nodes["joint"][joint].find("mimic")
+        if node is None:
+            return None
+        multiplier, offset = self._optional(node, "multiplier"), self._optional(node, "offset")
+        return _Mimic(node.get("joint"), 1.0 if multiplier is None else multiplier, offset or 0.0)
 
-        yourdfpy keeps it as a matrix, in which a quarter turn has 6e-17 where a zero belongs.  So
-        its translation is taken, and the rotation is made from the rpy of the checked text.
-        """
-        if parsed is None:
-            return Transform.identity()
-        _, rpy = self._reader.origin(node, "")
-        return Transform.from_rpy(parsed[:3, 3], rpy)
+    def _pose(self, node: Element) -> Transform:
+        """The pose that a node's `<origin>` gives."""
+        return Transform.from_rpy(*self._reader.origin(node, ""))
 
-
-def _parsed(root: Element, file: str) -> Any:
-    """The robot, as yourdfpy has it, of the part of the file that bears on dynamics."""
-    from yourdfpy import URDF  # imports trimesh: a second and a half that only this reading pays
-
-    bare = etree.Element("robot", name=root.get("name"))
-    for element in root.iterchildren(*_KEPT):
-        kept = etree.SubElement(bare, element.tag, dict(element.attrib))
-        for part in element.iterchildren(*_KEPT[element.tag]):
-            kept.append(etree.fromstring(etree.tostring(part, with_tail=False)))
-    try:
-        return URDF.load(
-            io.BytesIO(etree.tostring(bare)),
-            build_scene_graph=False,
-            load_meshes=False,
-            build_collision_scene_graph=False,
-            load_collision_meshes=False,
-        ).robot
-    except (ValueError, TypeError, KeyError, AttributeError) as error:
-        problem = f"yourdfpy cannot read it: {error}"
-        raise ModelError(problem, fix="simplify the file", file=file) from error
+    def _optional(self, node: Element | None, attribute: str) -> float | None:
+        """A number that was checked already; None where it is left out."""
+        value = None if node is None else self._reader.optional_number(node, attribute, "")
+        return None if value is None else float(value)
