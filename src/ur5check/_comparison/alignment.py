@@ -133,6 +133,7 @@ def arm_in_coordinates_of(a: SerialArm, b: SerialArm, alignment: Alignment) -> S
         base=alignment.T_ab @ b.base,
         gravity=alignment.T_ab.R @ b.gravity,
         source=Source(inputs=b.source.inputs, base=b.source.base, tip=b.source.tip),
+        given_label=b.given_label,
     )
 
 
@@ -145,13 +146,13 @@ def _limits(limits: Limits, sign: float, offset: float) -> Limits:
 def _refuse_incomparable(a: SerialArm, b: SerialArm) -> None:
     if a.n != b.n:
         raise UsageError(
-            f"{a.name!r} has {a.n} joints and {b.name!r} has {b.n}; "
+            f"{a.label!r} has {a.n} joints and {b.label!r} has {b.n}; "
             "choose base and tip so that both chains have the same joints"
         )
     for i, (ja, jb) in enumerate(zip(a.joints, b.joints, strict=True), 1):
         if ja.kind != jb.kind:
             raise UsageError(
-                f"joint {i} is {ja.kind} in {a.name!r} ({ja.name}) but {jb.kind} in {b.name!r} "
+                f"joint {i} is {ja.kind} in {a.label!r} ({ja.name}) but {jb.kind} in {b.label!r} "
                 f"({jb.name}); arms with different kinds of joints cannot be compared"
             )
 

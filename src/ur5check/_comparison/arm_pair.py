@@ -9,6 +9,7 @@ import numpy as np
 
 from .._dynamics.kinematics import link_frames
 from .._robot.inertia import Inertia
+from .._robot.labels import labelled
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array, Transform
 from .alignment import (
@@ -46,6 +47,17 @@ class Pair:
     link_maps: tuple[Transform, ...]
     number_by_number: bool
 
+    @property
+    def effort_limits(self) -> Array:
+        """Effort limits, shape (n,) [N m], from the first source that knows one; nan where neither
+        does.
+        """
+        known = [
+            ja.limits.known_effort or jb.limits.known_effort or np.nan
+            for ja, jb in zip(self.a.joints, self.b.joints, strict=True)
+        ]
+        return np.array(known, dtype=np.float64)
+
     def inertias_b(self) -> tuple[Inertia, ...]:
         """B's inertias, each in arm a's link frame."""
         return tuple(
@@ -76,8 +88,11 @@ class Pair:
 def pair_up(a: SerialArm, b: SerialArm) -> Pair:
     """Align b with a and find the frames in which their links correspond.
 
+    Arms with the same label are given labels that tell them apart (`labelled`).
+
     Raises UsageError if the arms have different numbers or kinds of joints.
     """
+    a, b = labelled((a, b))
     alignment = align(a, b)
     return _paired(a, b, alignment, not alignment.exact)
 

@@ -58,7 +58,7 @@ def contribution_in_words(contribution: Contribution) -> str:
 
 
 def _verdict(d: Difference) -> str:
-    a, b = d.pair.a.name, d.pair.b.name
+    a, b = d.pair.a.label, d.pair.b.label
     worst = int(d.torques.maximum.argmax())
     size = f"{d.torques.maximum[worst]:.3g} N m"
     joint = f"joint {worst + 1}, {d.pair.a.joints[worst].name}"
@@ -83,8 +83,9 @@ def _geometry(d: Difference) -> str:
             unit, value = ("°", np.degrees(offset)) if joint.kind == "revolute" else (" m", offset)
             joints.append(f"{joint.name} shifted by {value:+.4g}{unit}")
     angles = ", ".join(joints) or "joint angles as they stand"
+    base = base_in_words(alignment.T_ab)
     return (
-        f"Same axes in space: {d.pair.b.name}'s base is {base_in_words(alignment.T_ab)}, {angles}; "
+        f"Same axes in space: {d.pair.b.label}'s base is {base}, {angles}; "
         f"tools agree to {d.tool.position:.1g} m."
     )
 

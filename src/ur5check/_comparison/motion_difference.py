@@ -33,7 +33,7 @@ class TorqueError:
 
     rms, maximum : [N m];  worst : index of the state of the maximum
     scale : RMS of arm a's own torque [N m], to judge a difference by
-    effort : the joint's effort limit [N m], from whichever source gives one; nan if neither does
+    effort : the joint's effort limit [N m], see `Pair.effort_limits`
     """
 
     rms: Array
@@ -71,15 +71,11 @@ def compare_tools(pair: Pair, states: States) -> ToolError:
 
 def compare_torques(pair: Pair, delta: Array, tau_a: Array) -> TorqueError:
     """Statistics of a torque difference, shape (N, n) [N m]."""
-    efforts = [
-        ja.limits.effort if ja.limits.effort is not None else jb.limits.effort
-        for ja, jb in zip(pair.a.joints, pair.b.joints, strict=True)
-    ]
     size = np.abs(delta)
     return TorqueError(
         rms=np.sqrt((delta**2).mean(axis=0)),
         maximum=size.max(axis=0),
         worst=size.argmax(axis=0),
         scale=np.sqrt((tau_a**2).mean(axis=0)),
-        effort=np.array([np.nan if effort is None else effort for effort in efforts]),
+        effort=pair.effort_limits,
     )

@@ -16,6 +16,7 @@ from .diff_sections.worst_configuration import worst_section
 from .document import Document, Section, Verdict
 from .explanation_summary import summarize as summarize_explanation
 from .provenance import Provenance, inputs_of
+from .wording import titled
 
 __all__ = ["diff_document"]
 
@@ -39,7 +40,7 @@ def diff_document(
     )
     a, b = d.pair.a, d.pair.given_b
     return Document(
-        f"{a.name} against {b.name}",
+        f"{titled(a)} against {titled(b)}",
         Verdict("AGREE" if d.agrees else "DIFFER", verdict, d.agrees),
         tuple(lines),
         _sections(d, explanation, parameters, written_out),

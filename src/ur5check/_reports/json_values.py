@@ -40,6 +40,7 @@ def model_value(arm: SerialArm) -> Report:
     source = arm.source
     return {
         "name": arm.name,
+        "label": arm.label,
         "kind": source.kind,
         "base": source.base,
         "tip": source.tip,

@@ -22,7 +22,7 @@ def law_table(v: Validation) -> Table:
         if outcome.about == "algorithm":
             by_law.setdefault(outcome.id, []).append(outcome)
     laws = sorted(by_law.values(), key=lambda law: all(o.passed for o in law))
-    names = [model.arm.name for model in v.models]
+    names = [model.arm.label for model in v.models]
     wide = len(names) <= _MOST_COLUMNS
     columns = [Column(name, number=True) for name in names] if wide else []
     if not wide:

@@ -31,9 +31,9 @@ def alignment_lines(d: Difference) -> tuple[str, ...]:
             shifted.append(f"{joint.name} by {by}")
     base = base_in_words(alignment.T_ab)
     parts = [
-        f"{b.name} stands on the same base as {a.name}"
+        f"{b.label} stands on the same base as {a.label}"
         if base == "the same"
-        else f"the base of {b.name} is {base} (seen from {a.name})",
+        else f"the base of {b.label} is {base} (seen from {a.label})",
         f"reversed: {joined(reversed_joints)}" if reversed_joints else "no joint reversed",
         f"zeros shifted: {joined(shifted)}" if shifted else "no zero shifted",
         f"all {a.n} axes are the same lines in space"
@@ -78,14 +78,14 @@ def torque_table(d: Difference) -> Table:
     return Table(
         (
             Column("joint"),
-            Column(f"RMS of {d.pair.a.name} [{unit}]", number=True),
+            Column(f"RMS of {d.pair.a.label} [{unit}]", number=True),
             Column(f"Δ RMS [{unit}]", number=True),
             Column(f"Δ max [{unit}]", number=True),
             Column("max of limit [%]", number=True),
             Column("posture of the maximum [°]"),
         ),
         tuple(rows),
-        title=f"Torque difference: {d.pair.a.name} − {d.pair.b.name}",
+        title=f"Torque difference: {d.pair.a.label} − {d.pair.b.label}",
     )
 
 

@@ -67,7 +67,7 @@ def _joints(arm: SerialArm) -> Table:
                     _position(joint, joint.limits.lower),
                     _position(joint, joint.limits.upper),
                     _position(joint, joint.limits.velocity),
-                    figures(joint.limits.effort),
+                    figures(joint.limits.known_effort),
                 )
             )
             for joint in arm.joints

@@ -8,7 +8,7 @@ from .._simulation.static_hold import StaticHold
 from .document import Column, Document, Row, Section, Table, Verdict
 from .provenance import Provenance, inputs_of
 from .simulate_summary import reason, summarize, verdict
-from .wording import percent, residue
+from .wording import percent, residue, titled
 
 __all__ = ["simulate_document"]
 
@@ -19,7 +19,7 @@ def simulate_document(s: StaticHold, *, command: str = "") -> Document:
     """The report of `ur5check simulate`."""
     plant, model = s.pair.a, s.pair.given_b
     return Document(
-        f"{plant.name} under the torques of {model.name}",
+        f"{titled(plant)} under the torques of {titled(model)}",
         Verdict("STANDS" if s.stands else "MOVES", verdict(s), s.stands),
         tuple(summarize(s)),
         (_torques(s), _drift(s), _mover(s)),
@@ -31,7 +31,7 @@ def _torques(s: StaticHold) -> Section:
     rows = []
     for i, joint in enumerate(s.pair.a.joints):
         given, needed = float(s.given[i]), float(s.needed[i])
-        effort = joint.limits.effort
+        effort = joint.limits.known_effort
         share = None if not effort else abs(given - needed) / effort
         gap = residue(given - needed)
         rows.append(Row((joint.name, residue(given), residue(needed), gap, percent(share))))
@@ -47,8 +47,8 @@ def _torques(s: StaticHold) -> Section:
                     Column("of the limit [%]", number=True),
                 ),
                 tuple(rows),
-                note=f"Given: what holds {s.pair.b.name}. Needed: what holds {s.pair.a.name}, the "
-                "arm that moves.",
+                note=f"Given: what holds {s.pair.b.label}. Needed: what holds {s.pair.a.label}, "
+                "the arm that moves.",
             ),
         ),
     )

@@ -47,7 +47,7 @@ def simulate_json(s: StaticHold, *, command: str = "") -> Report:
                     "joint": joint.name,
                     "given": s.given[i],
                     "needed": s.needed[i],
-                    "effort_limit": joint.limits.effort,
+                    "effort_limit": joint.limits.known_effort,
                 }
                 for i, joint in enumerate(plant.joints)
             ],

@@ -11,7 +11,7 @@ __all__ = ["reason", "summarize", "verdict"]
 
 def verdict(s: StaticHold) -> str:
     """Stands or moves, in one sentence."""
-    plant, model = s.pair.a.name, s.pair.b.name
+    plant, model = s.pair.a.label, s.pair.b.label
     how = "held constant" if s.held else "recomputed at every step"
     torques = f"the torques that hold {model}, {how}"
     if s.stands:

@@ -15,6 +15,7 @@ from .sweep_tables import (
     reach_table,
     worst_table,
 )
+from .wording import titled
 
 __all__ = ["sweep_document"]
 
@@ -23,7 +24,7 @@ def sweep_document(s: Sweep, *, command: str = "") -> Document:
     """The report of `ur5check sweep`."""
     verdict, *lines = summarize(s)
     return Document(
-        f"{s.pair.a.name} against {s.pair.given_b.name}",
+        f"{titled(s.pair.a)} against {titled(s.pair.given_b)}",
         Verdict("AGREE" if s.agrees else "DIFFER", verdict, s.agrees),
         tuple(lines),
         (_joints(s), _sizes(s), _reach(s)),
@@ -41,7 +42,7 @@ def _provenance(s: Sweep, command: str) -> Provenance:
 def _joints(s: Sweep) -> Section:
     exact = s.pair.alignment.exact
     said = (
-        f"{sample_in_words(s).capitalize()}, in {s.pair.a.name}'s joint coordinates; "
+        f"{sample_in_words(s).capitalize()}, in {s.pair.a.label}'s joint coordinates; "
         f"the axes are {'' if exact else 'NOT '}the same lines in space.",
         f"Quantiles are good to {RELATIVE_ERROR:.1%} of themselves. The maxima are those of these "
         "states; `ur5check diff` climbs on from there.",
@@ -59,7 +60,7 @@ def _reach(s: Sweep) -> Section:
     every, visits = s.plan.map_every, int(s.statistics.visits.sum())
     which = "Every state" if every == 1 else f"Every {every}th state ({visits:,})"
     said = (
-        f"{which}, by the tool's distance from the z axis of {s.pair.a.name}'s base and its height "
-        "above that base; per cell, the largest difference of any joint."
+        f"{which}, by the tool's distance from the z axis of {s.pair.a.label}'s base and its "
+        "height above that base; per cell, the largest difference of any joint."
     )
     return Section("Where the tool is", (said,), (reach_table(s),))

@@ -32,7 +32,7 @@ def sample_in_words(s: Sweep) -> str:
 
 
 def _verdict(s: Sweep) -> str:
-    a, b = s.pair.a.name, s.pair.given_b.name
+    a, b = s.pair.a.label, s.pair.given_b.label
     j = int(s.maximum.argmax())
     size = f"{s.maximum[j]:.3g} N m"
     among = f"at {sample_in_words(s)}"

@@ -49,7 +49,7 @@ def joint_table(s: Sweep) -> Table:
             )
             for j, joint in enumerate(s.pair.a.joints)
         ),
-        title=f"Torque difference: {s.pair.a.name} − {s.pair.b.name} [{_unit(s)}]",
+        title=f"Torque difference: {s.pair.a.label} − {s.pair.b.label} [{_unit(s)}]",
         note=f"{', '.join(f'{p:.4g}'.replace('0.', '.') for p in QUANTILES)}: the size that this "
         "share of the states does not exceed.",
     )

@@ -12,7 +12,7 @@ from .law_table import law_table
 from .pair_parts import alignment_lines, contribution_table, torque_table
 from .provenance import Provenance, inputs_of
 from .validate_summary import summarize
-from .wording import coordinates, figures, residue
+from .wording import coordinates, figures, residue, titled
 
 __all__ = ["validate_document"]
 
@@ -31,7 +31,7 @@ def validate_document(v: Validation, *, command: str = "") -> Document:
     failures = [o for o in v.outcomes if not o.passed and o.id != "fk-alignment"]
     if failures:
         sections.insert(0, _failures(failures))
-    first, *others = [model.arm.name for model in v.models]
+    first, *others = [titled(model.arm) for model in v.models]
     against = f" against {', '.join(others)}" if others else ""
     return Document(
         f"Validation of {first}{against}",
@@ -101,7 +101,7 @@ def _algorithm(v: Validation) -> Section:
         f"whatever its numbers, on {len(v.models)} model{'s' if len(v.models) > 1 else ''}."
     ]
     lines += [
-        f"Reference engine of {m.arm.name}: {m.reference}, {_ROUTES.get(m.route, m.route)}."
+        f"Reference engine of {m.arm.label}: {m.reference}, {_ROUTES.get(m.route, m.route)}."
         for m in v.models
     ]
     return Section("The algorithm", tuple(lines), (law_table(v),))
@@ -128,7 +128,7 @@ def _body_table(model: ModelValidation) -> Table:
             *(Column(f"{axis} [kg m²]", number=True) for axis in ("I₁", "I₂", "I₃")),
         ),
         tuple(rows),
-        title=f"{model.arm.name}: {verdict}",
+        title=f"{model.arm.label}: {verdict}",
         note=" ".join(f"{detail}." for o in failed for detail in o.details),
     )
 
@@ -139,7 +139,7 @@ def _numbers(v: Validation) -> Section:
     for pair in v.pairs:
         d = pair.difference
         if len(v.pairs) > 1:
-            lines.append(f"{d.pair.a.name} against {d.pair.b.name}:")
+            lines.append(f"{d.pair.a.label} against {d.pair.b.label}:")
         lines += alignment_lines(d)
         lines.append(_account(pair))
         tables.append(torque_table(d))
@@ -154,7 +154,7 @@ def _account(pair: PairValidation) -> str:
     closed = "closes" if account.passed else "DOES NOT close"
     return (
         f"The account {closed}: {residue(account.value)} {account.unit} of the difference between "
-        f"our torques of {pair.difference.pair.a.name} and the reference engine's of "
-        f"{pair.difference.pair.b.name} have no owner (rounding allows "
+        f"our torques of {pair.difference.pair.a.label} and the reference engine's of "
+        f"{pair.difference.pair.b.label} have no owner (rounding allows "
         f"{residue(account.tolerance)})."
     )

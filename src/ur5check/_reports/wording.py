@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from pathlib import PurePath
 
-from .._robot.serial_arm import Joint
+from .._robot.serial_arm import Joint, SerialArm
 from .._robot.transforms import Array
 
 __all__ = [
@@ -17,6 +18,7 @@ __all__ = [
     "percent",
     "posture",
     "residue",
+    "titled",
 ]
 
 #: What stands in a table where there is no number.
@@ -65,6 +67,14 @@ def posture(q: Sequence[float], joints: Sequence[Joint]) -> str:
 def link_label(name_a: str, name_b: str) -> str:
     """One name for a link that two sources may name differently."""
     return name_a if name_a == name_b else f"{name_a} / {name_b}"
+
+
+def titled(arm: SerialArm) -> str:
+    """An arm's label; where that is not its name, also the name and, for a letter, the file."""
+    if arm.label == arm.name:
+        return arm.label
+    files = [name for name, _ in arm.source.inputs[:1] if PurePath(name).name != arm.label]
+    return f"{arm.label} ({', '.join([arm.name, *files])})"
 
 
 def joined(parts: Sequence[str]) -> str:

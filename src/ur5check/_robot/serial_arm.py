@@ -27,6 +27,9 @@ from .transforms import Array, Transform, frozen
 
 _SAME_FRAME = 1e-9  # a frame and its inverse's inverse, rounded
 
+#: Writers put the largest double where a format demands a limit and none is known.
+_NO_LIMIT = 1e100
+
 __all__ = ["STANDARD_GRAVITY", "Joint", "Limits", "Link", "SerialArm", "Source"]
 
 #: Gravity in an arm's base frame unless its source says otherwise [m/s²]; Pinocchio's default.
@@ -44,6 +47,16 @@ class Limits:
     upper: float | None = None
     velocity: float | None = None
     effort: float | None = None
+
+    @property
+    def known_effort(self) -> float | None:
+        """The effort limit where one is known [N m] or [N].
+
+        Unknown is what is absent, and also zero (it would forbid all motion; files hold it where
+        the author did not know the limit), and a number so large that it limits nothing.
+        """
+        known = self.effort is not None and 0.0 < self.effort < _NO_LIMIT
+        return self.effort if known else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +152,7 @@ class SerialArm:
 
     base : B [m], from the base frame to the first joint
     gravity : in the base frame, shape (3,) [m/s²]
+    given_label : what reports call the arm where its name would not do (`labelled`)
     """
 
     name: str
@@ -147,6 +161,7 @@ class SerialArm:
     base: Transform = field(default_factory=Transform.identity)
     gravity: Array = field(default_factory=lambda: np.array(STANDARD_GRAVITY))
     source: Source = field(default_factory=Source)
+    given_label: str = ""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "joints", tuple(self.joints))
@@ -163,6 +178,11 @@ class SerialArm:
     def n(self) -> int:
         """Number of joints."""
         return len(self.joints)
+
+    @property
+    def label(self) -> str:
+        """What reports call the arm: its name, unless it was given a label."""
+        return self.given_label or self.name
 
     @property
     def joint_names(self) -> tuple[str, ...]:

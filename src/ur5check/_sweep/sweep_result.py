@@ -8,7 +8,6 @@ import numpy as np
 
 from .._comparison.arm_pair import Pair
 from .._comparison.difference import SAME_TORQUE
-from .._comparison.worst_case.state_box import effort_limits
 from .._robot.transforms import Array
 from .exact_sum import mean
 from .magnitude_histogram import quantile
@@ -60,8 +59,8 @@ class Sweep:
 
     @property
     def effort(self) -> Array:
-        """The joints' effort limits [N m]; nan where neither source gives one."""
-        return effort_limits(self.pair)
+        """The joints' effort limits [N m], see `Pair.effort_limits`."""
+        return self.pair.effort_limits
 
     def share_of_effort(self) -> Array:
         """Maximum as a share of the effort limit; nan where there is no limit."""

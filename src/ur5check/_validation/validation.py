@@ -11,6 +11,7 @@ from .._comparison.difference import Difference, compare, under_gravity
 from .._engines.engine import ReferenceEngine
 from .._engines.recursion_engine import RecursionEngine
 from .._io.loading import ArmSource, load
+from .._robot.labels import labelled
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
 from .law import Outcome, run
@@ -113,15 +114,16 @@ def validate(
         if not isinstance(model, SerialArm):
             say(f"reading {getattr(model, 'name', model)}")
         arms.append(under_gravity(load(model), gravity))
+    arms = list(labelled(arms))
     references = [PinocchioEngine(arm) for arm in arms]
     validated = []
     for arm, reference in zip(arms, references, strict=True):
-        say(f"checking {arm.name} at {samples:,} states")
+        say(f"checking {arm.label} at {samples:,} states")
         states = random_states(arm.n, samples, seed)
         validated.append(validate_arm(arm, reference, states))
     pairs = []
     for arm, reference in zip(arms[1:], references[1:], strict=True):
-        say(f"comparing {arms[0].name} with {arm.name}")
+        say(f"comparing {arms[0].label} with {arm.label}")
         pairs.append(_validate_pair(arms[0], arm, reference, samples, seed))
     return Validation(tuple(validated), tuple(pairs), samples, seed)
 
@@ -130,7 +132,7 @@ def validate_arm(arm: SerialArm, reference: ReferenceEngine, states: States) -> 
     """Every law, and every body, of one arm."""
     subject = Subject(arm, RecursionEngine(arm), reference, states, arm.gravity)
     outcomes = tuple(
-        run(check, subject, name=arm.name, n=arm.n, states=states) for check in (*LAWS, *BODIES)
+        run(check, subject, name=arm.label, n=arm.n, states=states) for check in (*LAWS, *BODIES)
     )
     return ModelValidation(arm, f"{reference.name} {reference.version}", reference.route, outcomes)
 
@@ -141,6 +143,6 @@ def _validate_pair(
     states = random_states(a.n, samples, seed)
     difference = compare(a, b, states, seed)
     subject = PairSubject(difference, RecursionEngine(a), reference)
-    name = f"{a.name} against {b.name}"
+    name = f"{a.label} against {b.label}"
     outcomes = tuple(run(check, subject, name=name, n=a.n, states=states) for check in PAIRS)
     return PairValidation(difference, outcomes)

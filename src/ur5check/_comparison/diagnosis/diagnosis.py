@@ -113,7 +113,7 @@ class _RepairSequence:
         pair = reading.pair
         self.arms: dict[Side, SerialArm] = {"a": pair.a, "b": pair.b}
         self.given: dict[Side, SerialArm] = {"a": pair.a, "b": pair.given_b}
-        self.names: dict[Side, str] = {"a": pair.a.name, "b": pair.b.name}
+        self.names: dict[Side, str] = {"a": pair.a.label, "b": pair.b.label}
         self.T_ba = pair.alignment.T_ab.inverse()
         self.states = states
         self.left = before

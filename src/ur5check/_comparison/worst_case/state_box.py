@@ -10,7 +10,7 @@ from ..._robot.states import MAX_ANGLE, MAX_RATE, States
 from ..._robot.transforms import Array
 from ..arm_pair import Pair
 
-__all__ = ["StateBox", "effort_limits", "state_box"]
+__all__ = ["StateBox", "state_box"]
 
 #: Pinocchio and our own URDF writer put the largest double where a file must name a limit and
 #: nobody knows one.  Nothing near it is a limit.
@@ -58,15 +58,6 @@ def state_box(pair: Pair, acceleration: float) -> StateBox:
     return StateBox(
         np.minimum(lower, upper), np.maximum(lower, upper), rate, np.full(pair.a.n, acceleration)
     )
-
-
-def effort_limits(pair: Pair) -> Array:
-    """Effort limits, shape (n,) [N m], from whichever source gives one; nan where neither does.
-
-    A limit of zero stands in files whose author did not know it, and counts as none.
-    """
-    efforts = _first(pair, "effort", np.nan)
-    return np.where(efforts > 0.0, efforts, np.nan)
 
 
 def _first(pair: Pair, name: str, default: float) -> Array:

@@ -19,7 +19,7 @@ from ..._robot.states import MAX_ACCELERATION, States
 from ..._robot.transforms import Array
 from ..arm_pair import Pair
 from .gradient_ascent import Ascent, Gain, Gap, joint_gain, squared_sum
-from .state_box import StateBox, effort_limits, state_box
+from .state_box import StateBox, state_box
 
 __all__ = ["WorstCase", "worst_cases"]
 
@@ -114,7 +114,7 @@ def worst_cases(
 
 
 def _questions(pair: Pair) -> list[_Question]:
-    efforts, n = effort_limits(pair), pair.a.n
+    efforts, n = pair.effort_limits, pair.a.n
     units = ["N" if joint.kind == "prismatic" else "N m" for joint in pair.a.joints]
     single = [_Question(j, np.eye(n)[j], units[j], float(efforts[j])) for j in range(n)]
     if np.isnan(efforts).any():

@@ -52,7 +52,7 @@ def _numbers(
         ("armature", (written.armature,), (held.armature,)),
         ("position-limit", _known(a.lower, a.upper), _known(b.lower, b.upper)),
         ("velocity-limit", _known(a.velocity or None), _known(b.velocity or None)),
-        ("effort-limit", _known(a.effort or None), _known(b.effort or None)),
+        ("effort-limit", (a.known_effort,), (b.known_effort,)),
         ("damping", (written.damping,), (held.damping,)),
         ("friction", (written.friction,), (held.friction,)),
     ]

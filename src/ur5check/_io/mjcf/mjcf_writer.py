@@ -118,8 +118,8 @@ def _joint(joint: Joint, name: str, axis: Array, anchor: Array) -> str:
         lower = -NO_LIMIT if limits.lower is None else limits.lower
         upper = NO_LIMIT if limits.upper is None else limits.upper
         words.append(f'range="{triple((lower, upper))}"')
-    if limits.effort is not None:
-        words.append(f'actuatorfrcrange="{triple((-limits.effort, limits.effort))}"')
+    if (effort := limits.known_effort) is not None:
+        words.append(f'actuatorfrcrange="{triple((-effort, effort))}"')
     losses = {
         "armature": joint.armature,
         "damping": joint.damping,

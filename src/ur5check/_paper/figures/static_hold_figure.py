@@ -29,7 +29,7 @@ def draw_static_hold(s: StaticHold) -> Figure:
     _arm(arm_axes, s)
     _drift(drift_axes, s)
     how = "held constant" if s.held else "recomputed at each step"
-    below = f"{s.pair.a.name}, moved by {s.mover.name}; torques that hold {s.pair.b.name}, {how}"
+    below = f"{s.pair.a.label}, moved by {s.mover.name}; torques that hold {s.pair.b.label}, {how}"
     titled(figure, headline(s), below, left=0.03)
     return figure
 

@@ -66,5 +66,5 @@ def _parameter_table(d: Difference, parameters: Attribution) -> Table:
         ),
         rows,
         title="Parameter by parameter",
-        note=f"In {d.pair.a.name}'s link frames, tensors about their origins. {note}",
+        note=f"In {d.pair.a.label}'s link frames, tensors about their origins. {note}",
     )

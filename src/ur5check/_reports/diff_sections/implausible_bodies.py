@@ -15,9 +15,9 @@ _GRAVEST_FIRST: tuple[Severity, ...] = ("impossible", "suspicious", "note")
 def bodies_section(e: Explanation) -> Section:
     """Findings, no failures: a vendor may have reasons."""
     pair = e.difference.pair
-    found = [(pair.a.name, p) for p in e.plausible_a]
+    found = [(pair.a.label, p) for p in e.plausible_a]
     # The same arm twice has the same oddities.
-    found += [(pair.b.name, p) for p in e.plausible_b if (pair.b.name, p) not in found]
+    found += [(pair.b.label, p) for p in e.plausible_b if (pair.b.label, p) not in found]
     if not found:
         return Section("Plausibility", ("Nothing is odd about either arm's bodies.",))
     found.sort(key=lambda of: _GRAVEST_FIRST.index(of[1].severity))

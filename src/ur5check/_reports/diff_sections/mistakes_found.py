@@ -47,7 +47,7 @@ def _idle(finding: Finding) -> bool:
 
 
 def _evidence(e: Explanation, numbered: list[tuple[int, Finding]]) -> Table:
-    names = {"a": e.difference.pair.a.name, "b": e.difference.pair.b.name, None: "either"}
+    names = {"a": e.difference.pair.a.label, "b": e.difference.pair.b.label, None: "either"}
     return Table(
         (
             Column("", number=True),

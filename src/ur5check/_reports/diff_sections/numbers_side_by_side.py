@@ -49,8 +49,8 @@ def _reach_table(d: Difference) -> Table:
     return Table(
         (
             Column("link"),
-            Column(f"{d.pair.a.name} [mm]"),
-            Column(f"{d.pair.b.name} [mm]"),
+            Column(f"{d.pair.a.label} [mm]"),
+            Column(f"{d.pair.b.label} [mm]"),
         ),
         tuple(
             Row(
@@ -85,11 +85,11 @@ def _bodies(d: Difference) -> tuple[str, Table]:
     columns = (
         Column("link"),
         Column("quantity"),
-        Column(d.pair.a.name, number=True),
-        Column(d.pair.b.name, number=True),
+        Column(d.pair.a.label, number=True),
+        Column(d.pair.b.label, number=True),
         Column("change [%]", number=True),
     )
-    frames = f"in the frames of {d.pair.a.name}'s own file, tensors about the centre of mass"
+    frames = f"in the frames of {d.pair.a.label}'s own file, tensors about the centre of mass"
     return said, Table(columns, tuple(rows), title=f"Numbers that differ, {frames}")
 
 

@@ -13,7 +13,7 @@ __all__ = ["digits_section"]
 def digits_section(e: Explanation) -> Section:
     """A row for each kind of digits, and the remainder that they do not explain."""
     budget, joints = e.budget, e.difference.pair.a.joints
-    names = {"a": e.difference.pair.a.name, "b": e.difference.pair.b.name}
+    names = {"a": e.difference.pair.a.label, "b": e.difference.pair.b.label}
     worst = int(budget.remainder.argmax())
     if e.difference.agrees:
         said = "There is no difference for digits to explain."

@@ -24,7 +24,7 @@ def unseen_section(e: Explanation, *, written_out: bool) -> Section:
     else:
         certain = f"with doubt: {seen.doubt}"
     lines = (
-        f"Torque tells {seen.rank} combinations of {e.difference.pair.a.name}'s {seen.columns} "
+        f"Torque tells {seen.rank} combinations of {e.difference.pair.a.label}'s {seen.columns} "
         f"inertial parameters, {certain}.",
         e.equivalence.sentence,
     )
@@ -66,8 +66,8 @@ def _combination_table(e: Explanation) -> Table:
     return Table(
         (
             Column("combination"),
-            Column(a.name, number=True),
-            Column(f"less {b.name}'s", number=True),
+            Column(a.label, number=True),
+            Column(f"less {b.label}'s", number=True),
         ),
         tuple(rows),
         title="What torque does see",

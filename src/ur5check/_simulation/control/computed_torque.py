@@ -59,10 +59,11 @@ def effort_limits(arm: SerialArm) -> Array:
 
     Raises UsageError if a joint has none.
     """
-    for joint in arm.joints:
-        if not joint.limits.effort:
+    limits = [joint.limits.known_effort for joint in arm.joints]
+    for joint, limit in zip(arm.joints, limits, strict=True):
+        if limit is None:
             raise UsageError(
                 f"joint {joint.name!r} of {arm.name!r} has no effort limit; take the limits of "
                 "another arm, or track without limits"
             )
-    return np.array([joint.limits.effort for joint in arm.joints], dtype=np.float64)
+    return np.array(limits, dtype=np.float64)
