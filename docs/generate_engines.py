@@ -16,9 +16,8 @@ from pathlib import Path
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, compare_engines
 from ur5check._engines.audit.fleet_comparison import FLEET_SAMPLES, FleetReport, compare_fleet
 from ur5check._engines.audit.import_difference import KINDS
-from ur5check._engines.known_issues import KNOWN_ISSUES
-from ur5check._engines.registry import REGISTRY
-from ur5check._reports.engines_summary import deed
+from ur5check._engines.registry import READERS, REFERENCE, REGISTRY
+from ur5check._reports.engines_summary import deed, fleet_verdict
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "engines.md"
@@ -33,14 +32,14 @@ def page(fleet: FleetReport, appendix: EngineReport) -> str:
     parts = {
         "count": str(len(fleet.reports)),
         "engines": ", ".join(
-            f"{r.title} {r.version}" for r in appendix.as_read.readings if r.key != "own"
+            f"{r.title} {r.version}" for r in appendix.as_read.readings if r.key != REFERENCE
         ),
         "verdict": verdict(fleet),
         "arms": arms(reports),
         "counts": counts(reports),
         "known_issues": known_issues(),
         "kinds": table(
-            ("kind", "what it means", "bears on"),
+            ("kind", "what it means", "affects"),
             ((f"`{kind}`", meaning, bearing) for kind, (bearing, meaning) in KINDS.items()),
         ),
     }
@@ -52,15 +51,10 @@ def page(fleet: FleetReport, appendix: EngineReport) -> str:
 
 def verdict(fleet: FleetReport) -> str:
     """The outcome in a sentence or two."""
-    n = len(fleet.reports)
-    same = sum(report.as_read.matrix.worst <= SAME_ROBOT for report in fleet.reports)
-    repaired = sum(report.final.matrix.worst <= SAME_ROBOT for report in fleet.reports)
     explained = all(report.explained for report in fleet.reports)
-    rest = "all of it explained" if explained else "not all of it explained"
-    return (
-        f"As read, the engines hold the same robot for {same} of {n} arms; with the fixes for "
-        f"{'all' if repaired == n else repaired} of them. What differs before is large, and {rest}."
-    )
+    rest = "all of them explained" if explained else "not all of them explained"
+    text = fleet_verdict(fleet, SAME_ROBOT)
+    return f"{text[0].upper()}{text[1:]}. The differences as read are large, and {rest}."
 
 
 def arms(reports: Sequence[EngineReport]) -> str:
@@ -86,25 +80,25 @@ def force(value: float) -> str:
 
 
 def why(report: EngineReport) -> str:
-    """Who holds another arm, and what it has done."""
-    said = []
+    """Which engines import another arm, and what they did."""
+    clauses = []
     for reading in report.as_read.readings[1:]:
         if reading.refused is not None:
-            said.append(f"{reading.title} {deed(reading)}: {reason(reading.refused)}")
-        elif report.as_read.matrix.between("own", reading.key).torque > SAME_ROBOT:
+            clauses.append(f"{reading.title} {deed(reading)}: {reason(reading.refused)}")
+        elif report.as_read.matrix.between(REFERENCE, reading.key).torque > SAME_ROBOT:
             links = ", ".join(f"`{one.where}`" for one in reading.imported.harmful)
-            said.append(f"{reading.title} {deed(reading)} ({links})")
-    return "; ".join(said)
+            clauses.append(f"{reading.title} {deed(reading)} ({links})")
+    return "; ".join(clauses)
 
 
 def reason(refused: str) -> str:
-    """What the engine itself said."""
+    """The reason in the engine's own message."""
     return refused.rpartition("Error: error ")[2] if "Error: error " in refused else refused
 
 
 def counts(reports: Sequence[EngineReport]) -> str:
-    """Kinds of difference by engine: on how many arms."""
-    keys = [reading.key for reading in reports[0].as_read.readings if reading.key != "own"]
+    """Kinds of difference by engine, with the number of arms."""
+    keys = [reading.key for reading in reports[0].as_read.readings if reading.key != REFERENCE]
     rows = []
     for kind, (bearing, _) in KINDS.items():
         numbers = [
@@ -118,22 +112,23 @@ def counts(reports: Sequence[EngineReport]) -> str:
         ]
         if any(numbers):
             rows.append((f"`{kind}`", bearing, *(str(k) if k else "" for k in numbers)))
-    return table(("kind", "bears on", *(REGISTRY[key].title for key in keys)), rows)
+    return table(("kind", "affects", *(REGISTRY[key].title for key in keys)), rows)
 
 
 def known_issues() -> str:
-    """The list of mistakes of known issues."""
+    """The known issues of all readers."""
     return table(
-        ("engine", "known_issue", "what happens", "torques", "fix"),
+        ("engine", "known issue", "what happens", "torques", "fix"),
         (
             (
-                REGISTRY[known_issue.engine].title if known_issue.engine in REGISTRY else "Gazebo",
-                f"`{known_issue.id}`",
-                code(f"{known_issue.title}. {known_issue.explanation}"),
-                "change" if known_issue.harmful else "stay",
-                code(known_issue.fix),
+                f"{entry.title} {issue.measured}" if entry.make else issue.measured,
+                f"`{issue.id}`",
+                code(f"{issue.title}. {issue.explanation}"),
+                "change" if issue.harmful else "stay",
+                code(issue.fix),
             )
-            for known_issue in KNOWN_ISSUES
+            for entry in READERS.values()
+            for issue in entry.known_issues
         ),
     )
 
@@ -151,10 +146,10 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 def with_output(block: re.Match[str]) -> str:
     """The Python block, followed by what it prints."""
-    said = StringIO()
-    with redirect_stdout(said):
+    printed = StringIO()
+    with redirect_stdout(printed):
         exec(compile(block[1], TEMPLATE.name, "exec"), {})  # noqa: S102 - our own page
-    return f"{block[0]}\n```text\n{said.getvalue()}```\n"
+    return f"{block[0]}\n```text\n{printed.getvalue()}```\n"
 
 
 def run() -> tuple[FleetReport, EngineReport]:

@@ -16,13 +16,13 @@ ROOT = Path(ur5check.__file__).parent
 #: Third-party engines, and the files that may import them.
 ENGINES = {
     "pinocchio": {
-        "_engines/pinocchio.py",
+        "_engines/adapters/pinocchio.py",
         "_io/pinocchio_model.py",
     },
-    "mujoco": {"_engines/mujoco.py", "_io/mjcf/mjcf_reader.py"},
-    "pydrake": {"_engines/drake.py", "_io/sdf/sdf_reader.py"},
-    "dartpy": {"_engines/dart.py"},
-    "idyntree": {"_engines/idyntree.py"},
+    "mujoco": {"_engines/adapters/mujoco.py", "_io/mjcf/mjcf_reader.py"},
+    "pydrake": {"_engines/adapters/drake.py", "_io/sdf/sdf_reader.py"},
+    "dartpy": {"_engines/adapters/dart.py"},
+    "idyntree": {"_engines/adapters/idyntree.py"},
 }
 
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._robot.serial_arm import SerialArm, Source
 from ur5check._robot.states import States
 from ur5check._robot.transforms import Array

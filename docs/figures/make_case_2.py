@@ -16,7 +16,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import ur5check
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._robot.transforms import Array
 
 HERE = Path(__file__).resolve().parent

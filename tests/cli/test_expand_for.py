@@ -10,7 +10,7 @@ from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import MultibodyPlant
 
 import ur5check as ur5
-from ur5check._engines.captured_warnings import capturing
+from ur5check._engines.captured_warnings import captured_output
 from ur5check._robot.states import random_states
 
 STATE = random_states(6, 1, seed=3)
@@ -45,7 +45,7 @@ def torque_of_mujoco(file):
 
 
 def torque_of_dart(text):
-    with capturing():
+    with captured_output():
         skeleton = dartpy.utils.DartLoader().parseSkeletonString(text, dartpy.common.Uri(""))
     assert skeleton.getNumDofs() == 6  # the root does not float
     skeleton.setPositions(Q)

@@ -7,7 +7,7 @@ import pytest
 
 import ur5check
 from examples import UR5S, random_arm
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._robot.states import random_states
 
 

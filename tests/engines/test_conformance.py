@@ -9,9 +9,9 @@ import pytest
 
 import ur5check
 from ur5check._engines import conformance
-from ur5check._engines.conformance_arms import URDF, handed_over, in_text
+from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
+from ur5check._engines.conformance_arms import URDF, as_value, in_text
 from ur5check._engines.known_issues import repaired
-from ur5check._engines.recursion_engine import RecursionEngine
 from ur5check._engines.registry import REGISTRY, engine_class
 from ur5check._robot import Inertia, SerialArm
 
@@ -49,7 +49,7 @@ def test_the_arm_put_down_by_hand_is_what_the_text_means(tmp_path):
 
 def test_dart_does_not_conform_to_the_file_as_it_is():
     said = conformance.violations(engine_class("dart"))
-    assert any("held-bodies" in sentence and "'text'" in sentence for sentence in said)
+    assert any("imported-bodies" in sentence and "'text'" in sentence for sentence in said)
     assert not any("'value'" in sentence for sentence in said)
 
 
@@ -97,12 +97,12 @@ def tool_lost(arm):
     ("spoil", "law"),
     [
         (rpy_dropped, "inverse-dynamics"),
-        (rpy_dropped, "held-bodies"),
+        (rpy_dropped, "imported-bodies"),
         (default_mass, "mass-matrix"),
         (default_mass, "forward-dynamics"),
-        (default_mass, "held-bodies"),
+        (default_mass, "imported-bodies"),
         (tool_lost, "tool-pose"),
-        (tool_lost, "held-tool"),
+        (tool_lost, "imported-tool"),
     ],
 )
 def test_a_spoiled_import_is_caught(spoil, law):
@@ -174,9 +174,9 @@ def test_a_lost_joint_is_caught():
             held = super().imported_model()
             return replace(held, joints=held.joints[1:])
 
-    assert any("(held-joints)" in sentence for sentence in conformance.violations(Lost))
+    assert any("(imported-joints)" in sentence for sentence in conformance.violations(Lost))
 
 
 def test_our_own_side_breaks_no_law():
     assert conformance.violations(RecursionEngine) == ()
-    assert handed_over().source.urdf is None
+    assert as_value().source.urdf is None

@@ -7,7 +7,7 @@ import pytest
 import ur5check
 from ur5check._comparison.difference import Difference
 from ur5check._comparison.explanation import Explanation
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._robot.states import random_states
 from ur5check._validation.validation import Validation, validate_arm
 

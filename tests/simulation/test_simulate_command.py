@@ -57,7 +57,7 @@ def test_the_report_says_how_to_make_it_again(simulate):
     assert named["motion"] == report["motion"]
 
 
-@pytest.mark.parametrize("engine", ["own", "mujoco"])
+@pytest.mark.parametrize("engine", ["ur5check", "mujoco"])
 def test_json_is_as_the_schema_says(simulate, engine):
     code, out, _ = simulate(*QUICK, "--torque", "paper", "--engine", engine, "--format", "json")
     report = json.loads(out)
@@ -94,10 +94,10 @@ def test_the_picture_is_drawn(simulate, tmp_path, suffix):
         (("--pose", "0", "1"), "q has shape (2,)"),
         (("--pose", "0", "nan", "0", "0", "0", "0"), "every entry must be finite"),
         (("--pose", "0", "0", "4", "0", "0", "0"), "joint 'elbow_joint' of 'appendix' starts at 4"),
-        (("--engine", "gazebo"), "invalid choice: 'gazebo'"),
+        (("--engine", "gazebo"), "'gazebo' moves no arm in time; choose from ur5check, mujoco"),
         (("--seconds", "-1"), "--seconds must be a positive number"),
         (("--hold", "--recompute"), "not allowed with"),
-        (("--integrator", "rk4"), "our own is DOP853"),
+        (("--integrator", "rk4"), "leave it out"),
         (("--plant", "apendix"), "did you mean 'appendix'"),
         (("--figure", "drift.gif"), "is drawn as .svg or .png"),
         (("--figure", "no/such/drift.svg"), "there is no folder"),

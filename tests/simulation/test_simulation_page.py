@@ -76,7 +76,12 @@ def test_energies_are_those_of_the_page():
     paper = ur5check.load("paper")
     euler, dart, rk4, own = (
         stand(APPENDIX, paper, CASE_9, engine=engine, integrator=name, seconds=0.2).energy.relative
-        for engine, name in (("mujoco", "euler"), ("dart", None), ("mujoco", "rk4"), ("own", None))
+        for engine, name in (
+            ("mujoco", "euler"),
+            ("dart", None),
+            ("mujoco", "rk4"),
+            ("ur5check", None),
+        )
     )
     assert round(euler, 3) == round(dart, 3) == 5e-3
     assert rk4 < 1e-10

@@ -11,8 +11,8 @@ from hypothesis import given
 import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies
-from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check._engines.recursion_engine import RecursionEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
 from ur5check._robot.states import random_states
 from ur5check._validation.law import run
 from ur5check._validation.law_subject import Subject

@@ -9,8 +9,8 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check._engines.recursion_engine import RecursionEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
 from ur5check._robot import Inertia
 from ur5check._robot.states import random_states
 from ur5check._validation.law import run

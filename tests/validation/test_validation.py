@@ -9,7 +9,7 @@ import pytest
 
 import ur5check
 from examples import random_arm
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._reports import validate_summary as summary
 from ur5check._robot.states import random_states

@@ -1,8 +1,8 @@
-"""Ask whether all engines mean the same robot: what each of them reads out of a model, how far
-apart their answers are, and what repairs it.  Without a model: which engines are here.
+"""Compare engines: what each of them imports from a model, how far apart their torques are, and
+what repairs the file.  Without a model: list the engines and what installs them.
 
-Exit code 0 if no torque of any two engines differs by more than --tolerance, 1 if one does or an
-engine does not take the model.
+Exit code 0 if no joint torques of two engines, repaired unless --as-read, differ by more than
+--tolerance; 1 if they do or an engine refuses the model.
 """
 
 from __future__ import annotations
@@ -33,39 +33,44 @@ examples:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What `engines` takes."""
-    parser.add_argument("model", metavar="MODEL", nargs="?", help="what they are to read")
-    parser.add_argument("--list", action="store_true", help="say which engines are here")
+    """Options of `engines`."""
+    parser.add_argument("model", metavar="MODEL", nargs="?", help="model that every engine reads")
+    parser.add_argument("--list", action="store_true", help="list the engines, with versions")
     parser.add_argument(
-        "--fleet", action="store_true", help="every serial arm of example-robot-data"
+        "--fleet", action="store_true", help="compare on every serial arm of example-robot-data"
     )
     parser.add_argument(
         "--with",
         dest="engines",
         metavar="ENGINES",
-        help="which take part, as a,b,c (default: all that are installed)",
+        help="engines to compare, as a,b,c (default: all that are installed)",
     )
     parser.add_argument(
         "--tolerance",
         type=float,
         metavar="N_M",
-        help="torques that differ by more mean another robot [N m] (default: 1e-10)",
+        help="largest torque difference that counts as agreement [N m] (default: 1e-10)",
     )
     parser.add_argument(
-        "--as-read", action="store_true", help="judge what the engines read, without fixes"
+        "--as-read",
+        action="store_true",
+        help="judge the files as read, without repairs for known issues",
     )
     parser.add_argument(
-        "--samples", type=int, metavar="N", help="random states (default: 200; 20 with --fleet)"
+        "--samples",
+        type=int,
+        metavar="N",
+        help="number of random states (default: 200; 20 with --fleet)",
     )
     parser.add_argument(
-        "--seed", type=int, default=0, metavar="N", help="of the states (default 0)"
+        "--seed", type=int, default=0, metavar="N", help="seed of the states (default 0)"
     )
     parser.add_argument(
         "--gravity",
         type=float,
         nargs=3,
         metavar=("X", "Y", "Z"),
-        help="told to all, in the base frame [m/s²] (default: what the model says)",
+        help="for all engines, in the base frame [m/s²] (default: the model's)",
     )
     add_model_options(parser, ("",))
     add_output_options(parser)
@@ -159,7 +164,7 @@ def _fleet(args: argparse.Namespace) -> int:
         report=lambda: engines_fleet_json(fleet, **shown),
     )
     emit(text, args.output)
-    return 0 if fleet.worst(as_read=args.as_read) <= args.tolerance else 1
+    return 0 if fleet.agrees(args.tolerance, as_read=args.as_read) else 1
 
 
 def _engines(args: argparse.Namespace) -> list[str] | None:
@@ -176,7 +181,7 @@ def _command(args: argparse.Namespace, models: tuple[str, ...]) -> str:
 
 
 def _check(args: argparse.Namespace) -> None:
-    """Raises UsageError for options that have no meaning together, and for no limit."""
+    """Raises UsageError for options that exclude each other, and for an invalid tolerance."""
     if args.model is not None and (args.fleet or args.list):
         option = "--fleet" if args.fleet else "--list"
         raise UsageError(f"{option} takes no model; leave {args.model} out")

@@ -27,7 +27,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--for",
         dest="reader",
         metavar="ENGINE",
-        help="rewrite what this engine would misread: mujoco, drake, dart or gazebo",
+        help="repair what this reader would misread, e.g. mujoco, drake, dart, gazebo",
     )
     add_output_options(parser, formats=False)
 
@@ -66,8 +66,9 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[str, str]) -> str:
-    """The text that the engine reads rightly; says what was changed, and for which known issue."""
+    """The text repaired for the reader; reports what was changed, and for which known issue."""
     from .._engines.known_issues import repaired_text
+    from .._engines.registry import READERS
     from .._io.meshes.mesh_paths import with_mesh_paths
     from .._io.ros_packages import default_packages
     from .._io.urdf.urdf_checks import check_urdf
@@ -78,7 +79,7 @@ def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[s
         progress(
             args.quiet, f"rewritten for {args.reader}, where {known_issue.title} ({known_issue.id})"
         )
-    if args.reader in ("mujoco", "dart"):  # they know no ROS packages, and stop at a mesh not found
+    if not READERS[args.reader].finds_packages:  # it stops at a mesh that it does not find
         known = default_packages().with_packages(packages)
         text, lost = with_mesh_paths(text, known, path.parent)
         for sentence in lost:

@@ -1,4 +1,4 @@
-"""The paper's test 9: give one model's arm (the plant) the torques that hold another's, and see
+"""The paper's test 9: apply the torques that hold one model to another (the plant), and report
 whether it stands or moves.
 
 Exit code 0 if it stands, 1 if it moves.
@@ -36,46 +36,56 @@ _PICTURES = (".svg", ".png")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What `simulate` takes."""
+    """Options of `simulate`."""
     parser.add_argument(
         "--plant", default="appendix", metavar="MODEL", help="the arm that moves, A (appendix)"
     )
     parser.add_argument(
-        "--torque", default="appendix", metavar="MODEL", help="whose torques it gets, B (appendix)"
+        "--torque",
+        default="appendix",
+        metavar="MODEL",
+        help="the model whose holding torques are applied, B (appendix)",
     )
     parser.add_argument(
         "--pose",
         nargs="+",
         default=["case9"],
         metavar="Q",
-        help="where it starts, at rest: case9, or the plant's joint angles [rad] (case9)",
+        help="the posture at the start, at rest: case9, or the plant's joint angles [rad] (case9)",
     )
     parser.add_argument(
-        "--engine", choices=("own", "mujoco", "dart"), default="own", help="who moves it (own)"
+        "--engine",
+        default="ur5check",
+        metavar="ENGINE",
+        help="integrates the motion: ur5check (default), mujoco, dart",
     )
-    parser.add_argument("--seconds", type=float, default=5.0, metavar="T", help="how long (5)")
+    parser.add_argument("--seconds", type=float, default=5.0, metavar="T", help="duration (5)")
     parser.add_argument(
-        "--step", type=float, default=1e-3, metavar="S", help="of the physics engine [s] (0.001)"
+        "--step", type=float, default=1e-3, metavar="S", help="step of the engine [s] (0.001)"
     )
-    parser.add_argument("--integrator", metavar="NAME", help="of the physics engine (its default)")
+    parser.add_argument(
+        "--integrator", metavar="NAME", help="integrator of the engine (its default)"
+    )
     torque = parser.add_mutually_exclusive_group()
     torque.add_argument(
         "--hold",
         action="store_true",
-        help="torques stay as at the start, as in the paper (default)",
+        help="constant torques, as in the paper (default)",
     )
     torque.add_argument(
-        "--recompute", action="store_true", help="torques are those of the posture at each step"
+        "--recompute",
+        action="store_true",
+        help="torques that hold the model at the posture of each step",
     )
     parser.add_argument(
-        "--figure", metavar="FILE", help="draw it, .svg or .png (needs ur5check[figures])"
+        "--figure", metavar="FILE", help="draw the drift, .svg or .png (needs ur5check[figures])"
     )
     add_model_options(parser, ("a", "b"))
     add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Simulate, report, draw, and say whether the arm stands."""
+    """Simulate, report and draw; exit code 0 if the arm stands."""
     options = ModelOptions.of(args, (args.plant, args.torque))
     _check_outputs(args, ())
     _check_figure(args)
@@ -99,7 +109,7 @@ def run(args: argparse.Namespace) -> int:
         seconds=args.seconds,
         dt=args.step,
         integrator=args.integrator,
-        say=say,
+        progress=say,
     )
     command = _command(args)
     text = rendered(
@@ -157,10 +167,10 @@ def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
 
 
 def _command(args: argparse.Namespace) -> str:
-    """The command that makes this report again, with its defaults spelled out."""
+    """The command that produces this report, with its defaults spelled out."""
     words = ["--plant", args.plant, "--torque", args.torque, "--pose", *args.pose]
     words += ["--engine", args.engine, "--seconds", f"{args.seconds:g}"]
-    if args.engine != "own":
+    if args.engine != "ur5check":
         words += ["--step", f"{args.step:g}"]
     if args.integrator is not None:
         words += ["--integrator", args.integrator]

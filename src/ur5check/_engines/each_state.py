@@ -1,4 +1,4 @@
-"""A question about one state, asked of arrays of states: what every engine without arrays needs."""
+"""Arrays of states for engines whose functions take one state."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["each_state"]
 
 
 def each_state(one: Callable[..., Array], n: int, shape: tuple[int, ...], *arrays: Array) -> Array:
-    """`one` on every state, in a Python loop.
+    """The function `one` at every state, in a Python loop.
 
     arrays : joint arrays, shape (..., n), whose leading axes broadcast
     one : takes a row of each, shape (n,); returns `shape`

@@ -1,11 +1,11 @@
-"""What a reference engine can be asked.
+"""The protocols of an engine.
 
-All arrays are shape (..., n) in the joint order of the arm that the engine was made for; gravity
+All arrays have shape (..., n), in the joint order of the arm that the engine was made for; gravity
 is in that arm's base frame and is fixed when the engine is made.
 
-    Engine ── any reference engine: torques, accelerations, M, C q̇ + g, g, the tool's pose, and
-    what it holds ├─ Reference engine ── one that also shows its C and its regressor: the laws need
-    both └─ Stepper ── one that also moves in time, by its own integrator
+    Engine             torques, accelerations, M, C q̇ + g, g, the tool's pose, the imported model
+    ├─ ReferenceEngine also C and the torque regressor, which the laws need
+    └─ Stepper         also steps in time, by its own integrator
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ __all__ = ["Engine", "MakeEngine", "ReferenceEngine", "Stepper"]
 
 
 class Engine(Protocol):
-    """Another implementation of rigid-body dynamics, holding one arm."""
+    """An implementation of rigid-body dynamics with one arm loaded."""
 
     name: str
     version: str
@@ -54,7 +54,7 @@ class Engine(Protocol):
         ...
 
     def imported_model(self) -> ImportedModel:
-        """The joints and bodies that the engine holds after reading, in its own words."""
+        """The joints and bodies that the engine has after reading."""
         ...
 
 
@@ -62,33 +62,33 @@ class MakeEngine(Protocol):
     """How an engine is made: from an arm, whose source says by which route.
 
     An arm that came from a URDF reaches the engine as that text, through the engine's own parser;
-    any other arm is handed over joint by joint.
+    any other arm is passed joint by joint.
 
-    Raises EngineError if the engine cannot take the model.
+    Raises EngineError if the engine refuses the model.
     """
 
     def __call__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> Engine:
-        """The engine, holding `arm` under `gravity` (the arm's own when None)."""
+        """The engine with `arm` loaded, under `gravity` (the arm's own when None)."""
         ...
 
 
 class ReferenceEngine(Engine, Protocol):
-    """An engine that shows all that the laws ask for."""
+    """An engine that has all terms that the laws need."""
 
     def coriolis_matrix(self, q: Array, qd: Array) -> Array:
         """A C(q, q̇) with C q̇ the velocity torque, shape (..., n, n) [N m s]."""
         ...
 
     def torque_regressor(self, q: Array, qd: Array, qdd: Array) -> Array:
-        """Y, shape (..., n, 10 n), with the arm's parameters held in the arm's link frames."""
+        """Y, shape (..., n, 10 n), for parameters expressed in the arm's link frames."""
         ...
 
 
 class Stepper(Engine, Protocol):
-    """A physics engine: it moves the arm in time.
+    """An engine that integrates the arm's motion.
 
-    No contact, no joint limit, no damping and no friction take part: what moves is the rigid-body
-    model that the engine holds, under gravity and the torques given.
+    Contact, joint limits, damping and friction are left out: what moves is the rigid-body model
+    under gravity and the given torques.
     """
 
     #: names of the engine's integrators and the order of each, the engine's default first

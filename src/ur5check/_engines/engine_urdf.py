@@ -1,9 +1,9 @@
-"""The text that an engine's own parser is given: the arm's URDF, and nothing that is not the arm.
+"""The text for an engine's own parser: the arm's URDF without what is not part of the arm.
 
-Two things are taken out of the user's file before an engine sees it, because they are no part of
-the arm's dynamics and stop parsers: shapes that are meshes (files that may not be here), and the
-motion of joints beside the arm (a gripper's), which are held where our own reading holds them.
-Numbers are left exactly as they are written.
+Two things are removed from the user's file, because they are no part of the arm's dynamics and
+stop parsers: shapes that are meshes (their files may be missing), and the motion of joints beside
+the arm (a gripper's), which are fixed where our own reading fixes them.  Numbers stay exactly as
+they are written.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ __all__ = ["parsed", "root_link", "text_for_engines", "written"]
 def text_for_engines(arm: SerialArm) -> str:
     """The arm's URDF without meshes, joints beside the arm fixed.
 
-    Raises EngineError if a joint beside the arm is held by a `<mimic>` away from zero.
+    Raises EngineError if a `<mimic>` places a joint beside the arm away from zero.
     """
     root = parsed(arm)
     for link in root.iterchildren("link"):
@@ -30,24 +30,25 @@ def text_for_engines(arm: SerialArm) -> str:
                 link.remove(shape)
     for joint in root.iterchildren("joint"):
         if joint.get("type") != "fixed" and joint.get("name") not in arm.joint_names:
-            _hold(joint)
+            _fix(joint)
     return written(root)
 
 
-def _hold(joint: Any) -> None:
+def _fix(joint: Any) -> None:
     mimic = joint.find("mimic")
     if mimic is not None:
         if float(mimic.get("offset", "0")) != 0.0:
             raise EngineError(
-                f"joint {joint.get('name')!r} beside the arm is held by its <mimic> away from "
-                "zero, which no engine can be told; choose a tip= without it, or remove the offset"
+                f"joint {joint.get('name')!r} beside the arm is placed away from zero by its "
+                "<mimic>, which no engine can represent; choose a tip= without it, or remove the "
+                "offset"
             )
         joint.remove(mimic)
     joint.set("type", "fixed")
 
 
 def parsed(arm: SerialArm) -> Any:
-    """The root element of the arm's URDF, which was read strictly before."""
+    """The root element of the arm's URDF, which has passed the strict reading."""
     if arm.source.urdf is None:
         raise EngineError(f"arm {arm.name!r} did not come from a URDF")
     parser = etree.XMLParser(resolve_entities=False, no_network=True, remove_blank_text=False)
@@ -60,7 +61,7 @@ def written(root: Any) -> str:
 
 
 def root_link(root: Any) -> str:
-    """Name of the link on which all others hang."""
+    """Name of the link that has no parent."""
     children = {joint.find("child").get("link") for joint in root.iterchildren("joint")}
     (name,) = (
         link.get("name") for link in root.iterchildren("link") if link.get("name") not in children

@@ -1,5 +1,4 @@
-"""What a known known issue of a reader is: what it does to a model, and what repairs the file for
-it."""
+"""A known issue of a reader: what it does to a model, why, and the repair of the file for it."""
 
 from __future__ import annotations
 
@@ -12,18 +11,22 @@ from lxml import etree
 __all__ = ["KnownIssue"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class KnownIssue:
-    """Something that an engine does to a model when it reads it.
+    """One known issue, complete in itself.
 
-    engine : its key in the registry, or "gazebo"
-    kinds : of import differences that this known issue explains
+    id : its name in reports, docs and tests
+    engine : key of the reader in the registry;  measured : version of the reader it was seen in
+    kinds : the kinds of import difference that it explains (`audit.import_difference.KINDS`)
     harmful : whether torques change
-    rewrite : makes the file right for this engine, in place; None where no rewriting can
+    title : what the reader does, as a clause;  explanation : the details, in sentences
+    fix : what to do about it
+    rewrite : repairs a URDF's root element for this reader, in place; None where no rewriting can
     """
 
     id: str
     engine: str
+    measured: str
     kinds: tuple[str, ...]
     harmful: bool
     title: str

@@ -1,89 +1,81 @@
-"""Which reference engines there are, and which are here.  Nothing is imported until one is asked
-for."""
+"""Which engines there are, and which are installed: the entries of all files in `adapters`.
+
+No engine is imported before one is made.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from importlib import import_module, metadata
+from importlib import import_module
+from pkgutil import iter_modules
 
 from numpy.typing import ArrayLike
 
 from .._errors import EngineError, UsageError
 from .._robot.serial_arm import SerialArm
+from . import adapters
 from .engine import Engine, MakeEngine
+from .engine_entry import EngineEntry
 
-__all__ = ["REGISTRY", "EngineEntry", "engine_class", "installed", "make_engine"]
-
-
-@dataclass(frozen=True)
-class EngineEntry:
-    """A reference engine.
-
-    key : how commands name it;  title : how reports do
-    module, factory : where its class is, from this package
-    distribution : what has to be installed, None for our own side
-    extra : of ur5check, that installs it; None for what comes with ur5check
-    """
-
-    key: str
-    title: str
-    module: str
-    factory: str
-    distribution: str | None = None
-    extra: str | None = None
-
-    @property
-    def version(self) -> str | None:
-        """The installed version, asked without importing anything; None if it is not here."""
-        if self.distribution is None:
-            from .._version import __version__
-
-            return __version__
-        try:
-            return metadata.version(self.distribution)
-        except metadata.PackageNotFoundError:
-            return None
+__all__ = [
+    "READERS",
+    "REFERENCE",
+    "REGISTRY",
+    "engine_class",
+    "installed",
+    "make_engine",
+    "steppers",
+]
 
 
-_ENTRIES = (
-    EngineEntry("own", "ur5check", ".recursion_engine", "RecursionEngine"),
-    EngineEntry("pinocchio", "Pinocchio", ".pinocchio", "PinocchioEngine", "pin"),
-    EngineEntry("mujoco", "MuJoCo", ".mujoco", "MuJoCoEngine", "mujoco", "mujoco"),
-    EngineEntry("drake", "Drake", ".drake", "DrakeEngine", "drake", "drake"),
-    EngineEntry("dart", "DART", ".dart", "DartEngine", "dartpy", "dart"),
-    EngineEntry("idyntree", "iDynTree", ".idyntree", "IDynTreeEngine", "idyntree", "idyntree"),
-)
+def _entries() -> list[EngineEntry]:
+    modules = (
+        import_module(f".{file.name}", adapters.__name__)
+        for file in iter_modules(adapters.__path__)
+    )
+    return sorted((module.ENTRY for module in modules), key=lambda entry: entry.order)
 
-#: Every reference engine, in the order in which reports show them; our own side first.
-REGISTRY: dict[str, EngineEntry] = {entry.key: entry for entry in _ENTRIES}
+
+#: Every reader of models whose known issues are on record, in the order of reports.
+READERS: dict[str, EngineEntry] = {entry.key: entry for entry in _entries()}
+
+#: The readers that have an adapter: engines that answer.  The hand-written recursion comes first.
+REGISTRY: dict[str, EngineEntry] = {k: entry for k, entry in READERS.items() if entry.make}
+
+#: Key of the hand-written recursion, with which all others are compared.
+REFERENCE = next(iter(REGISTRY))
 
 
 def installed() -> tuple[str, ...]:
-    """Keys of the reference engines that are here, our own side first."""
+    """Keys of the engines that are installed, in the order of reports."""
     return tuple(key for key, entry in REGISTRY.items() if entry.version is not None)
 
 
-def engine_class(key: str) -> MakeEngine:
-    """The class of a reference engine.  Imports it.
+def steppers() -> tuple[str, ...]:
+    """Keys of the engines that can move an arm in time, in the order of reports."""
+    return tuple(key for key, entry in REGISTRY.items() if entry.can_step)
 
-    Raises UsageError for an unknown key, EngineError (with what to install) for an absent one.
+
+def engine_class(key: str) -> MakeEngine:
+    """The class of an engine, once its third-party module is known to import.
+
+    Raises UsageError for an unknown key, EngineError (with what to install) for an absent engine.
     """
     entry = REGISTRY.get(key)
-    if entry is None:
+    if entry is None or entry.make is None:
         raise UsageError(f"no engine is called {key!r}; choose from {', '.join(REGISTRY)}")
     try:
-        module = import_module(entry.module, __package__)
+        if entry.module is not None:
+            entry.module()
     except ImportError as error:
-        wanted = f"ur5check[{entry.extra}]" if entry.extra else str(entry.distribution)
+        package = f"ur5check[{entry.extra}]" if entry.extra else str(entry.distribution)
         raise EngineError(
-            f"{entry.title} cannot be used here ({error}); pip install '{wanted}'"
+            f"{entry.title} cannot be used here ({error}); pip install '{package}'"
         ) from error
-    made: MakeEngine = getattr(module, entry.factory)
-    return made
+    return entry.make
 
 
 def make_engine(key: str, arm: SerialArm, gravity: ArrayLike | None = None) -> Engine:
-    """The reference engine of that key, holding an arm.
+    """The engine of that key with an arm loaded; gravity in the arm's base frame [m/s²].
 
     Raises EngineError, or UsageError for an unknown key.
     """

@@ -94,6 +94,6 @@ def _followed(law: FeedbackLaw, plant: Engine, *, off: float) -> Tracking:
 
 
 def _appendix(evidence: Evidence) -> Engine:
-    from .._engines.pinocchio import PinocchioEngine
+    from .._engines.adapters.pinocchio import PinocchioEngine
 
     return PinocchioEngine(evidence.model("appendix").arm)

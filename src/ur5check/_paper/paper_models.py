@@ -61,7 +61,7 @@ def load_models() -> tuple[Model, ...]:
     table_1 = load(REPAIRED)
     models = [_own(load(name), form, table_1) for name, form in _FORMS.items()]
     appendix = models[2]
-    from .._engines.pinocchio import PinocchioEngine
+    from .._engines.adapters.pinocchio import PinocchioEngine
 
     return (*models, reference_model(appendix, PinocchioEngine(appendix.arm)))
 

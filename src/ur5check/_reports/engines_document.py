@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, Stage
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.import_difference import ImportDifference
-from .._engines.registry import REGISTRY
+from .._engines.registry import REFERENCE, REGISTRY
 from .document import Column, Document, Row, Section, Table, Verdict
 from .engines_summary import summarize
 from .provenance import Provenance, inputs_of
@@ -86,7 +86,7 @@ def _answers(report: EngineReport, limit: float) -> Table:
                 and stage.reading(key).engine is report.as_read.reading(key).engine
             ):
                 continue  # it had no need of fixes, and answers as before
-            p = stage.matrix.between("own", key)
+            p = stage.matrix.between(REFERENCE, key)
             numbers = (p.torque, p.mass, p.bias, p.acceleration, p.tool)
             joint = report.arm.joints[p.joint].name if p.torque > limit else MISSING
             cells = (REGISTRY[key].title, name, *map(residue, numbers), joint)
@@ -112,7 +112,7 @@ def _imports(report: EngineReport) -> Section:
     rows = [
         row
         for reading in report.as_read.readings
-        if reading.key != "own" and reading.imported is not None
+        if reading.key != REFERENCE and reading.imported is not None
         for row in _differences(reading)
     ]
     if not rows:
@@ -153,8 +153,8 @@ def _differences(reading: Reading) -> list[Row]:
 
 def _row(title: str, alike: Sequence[ImportDifference]) -> Row:
     first = alike[0]
-    costs = [one.cost for one in alike if one.cost is not None]
-    held = {one.held for one in alike}
+    costs = [one.torque_effect for one in alike if one.torque_effect is not None]
+    held = {one.imported for one in alike}
     written = {one.written for one in alike}
     return Row(
         (
@@ -162,7 +162,7 @@ def _row(title: str, alike: Sequence[ImportDifference]) -> Row:
             first.kind,
             _places(alike),
             _short(first.written if len(written) == 1 else f"{first.written}, …"),
-            _short(first.held if len(held) == 1 else f"{first.held}, …"),
+            _short(first.imported if len(held) == 1 else f"{first.imported}, …"),
             figures(max(costs)) if costs else MISSING,
         ),
         bad=first.harmful,
@@ -192,10 +192,10 @@ def _engines(report: EngineReport) -> Section:
         (Column("engine"), Column("version"), Column("was given"), Column("holds")), tuple(rows)
     )
     lines = [
-        f"{reading.title} warns: {_short(reading.said[0], 160)}"
-        + (f" ({len(reading.said) - 1} more)" if len(reading.said) > 1 else "")
+        f"{reading.title} warns: {_short(reading.warnings[0], 160)}"
+        + (f" ({len(reading.warnings) - 1} more)" if len(reading.warnings) > 1 else "")
         for reading in report.as_read.readings
-        if reading.said
+        if reading.warnings
     ]
     lines += [
         f"{REGISTRY[key].title} is not installed: pip install 'ur5check[{REGISTRY[key].extra}]'"

@@ -1,11 +1,12 @@
-"""What `engines --fleet` shows: a row an arm."""
+"""The report of `engines --fleet`: one row per arm."""
 
 from __future__ import annotations
 
 from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, Stage
 from .._engines.audit.fleet_comparison import FleetReport
+from .._engines.registry import REFERENCE
 from .document import Column, Document, Row, Section, Table, Verdict
-from .engines_summary import deed
+from .engines_summary import deed, fleet_verdict
 from .provenance import Provenance, inputs_of
 from .wording import joined, residue
 
@@ -17,34 +18,24 @@ def engines_fleet_document(
 ) -> Document:
     """The report of `ur5check engines --fleet`; limit, as_read : as for `engines_document`.
 
-    Held together are, arm by arm, the engines that can read it.
+    Compared are, arm by arm, the engines that read it; a refusal is no agreement.
     """
-    stages = [report.as_read if as_read else report.final for report in fleet.reports]
-    good = all(stage.matrix.worst <= limit for stage in stages)
+    good = fleet.agrees(limit, as_read=as_read)
+    differ = fleet.differing(limit, as_read=as_read) > 0
+    word = "AGREE" if good else "DIFFER" if differ else "REFUSED"
     return Document(
-        f"{len(fleet.reports)} arms: do all engines mean the same robots?",
-        Verdict("AGREE" if good else "DIFFER", _verdict(fleet, limit), good),
+        f"Engine agreement on {len(fleet.reports)} arms",
+        Verdict(word, f"{fleet_verdict(fleet, limit)}.", good),
         _refusals(fleet),
         (Section("Arm by arm", (), (_table(fleet, limit),)),),
         Provenance(inputs_of(r.arm for r in fleet.reports), fleet.seed, fleet.samples, command),
     )
 
 
-def _verdict(fleet: FleetReport, limit: float) -> str:
-    n = len(fleet.reports)
-    same = sum(report.as_read.matrix.worst <= limit for report in fleet.reports)
-    said = f"as read, the engines hold the same robot for {same} of {n} arms"
-    if same < n:
-        repaired = sum(report.final.matrix.worst <= limit for report in fleet.reports)
-        said += f"; with the fixes for {repaired if repaired < n else 'all'}"
-        said += f" of {n}" if repaired < n else ""
-    return f"{said}, to {fleet.worst(as_read=False):.1e} N m."
-
-
 def _refusals(fleet: FleetReport) -> tuple[str, ...]:
-    """An arm that an engine cannot read is no disagreement, and is said."""
+    """One line per arm and engine that refuses it."""
     return tuple(
-        f"{report.arm.name} is not held against {reading.title}: {reading.refused}"
+        f"{report.arm.name} is refused by {reading.title}: {reading.refused}"
         for report in fleet.reports
         for reading in report.final.refusals
     )
@@ -55,7 +46,7 @@ def _table(fleet: FleetReport, limit: float) -> Table:
         Column("arm"),
         Column("joints", number=True),
         Column("as read [N m]", number=True),
-        Column("with fixes [N m]", number=True),
+        Column("repaired [N m]", number=True),
         Column("why"),
     )
     return Table(
@@ -68,7 +59,7 @@ def _table(fleet: FleetReport, limit: float) -> Table:
 def _row(report: EngineReport, limit: float) -> Row:
     why = []
     for reading in report.as_read.readings:
-        if reading.key != "own" and _deviates(report.as_read, reading.key, limit):
+        if reading.key != REFERENCE and _deviates(report.as_read, reading.key, limit):
             why.append(f"{reading.title} {deed(reading)}")
     if not report.explained:
         why.append("not all of it is explained")
@@ -80,11 +71,11 @@ def _row(report: EngineReport, limit: float) -> Row:
             residue(report.final.matrix.worst),
             joined(why) if why else "",
         ),
-        bad=report.final.matrix.worst > limit,
+        bad=not report.final.agrees(limit),
     )
 
 
 def _deviates(stage: Stage, key: str, limit: float) -> bool:
     if key not in stage.matrix.keys:
         return True
-    return stage.matrix.between("own", key).torque > limit
+    return stage.matrix.between(REFERENCE, key).torque > limit

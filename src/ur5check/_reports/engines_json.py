@@ -5,7 +5,7 @@ from __future__ import annotations
 from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.fleet_comparison import FleetReport
-from .._engines.registry import REGISTRY
+from .._engines.registry import REFERENCE, REGISTRY
 from .engines_summary import deed, summarize
 from .json_head import json_head
 from .json_values import Report, model_value, strict
@@ -55,7 +55,7 @@ def engines_fleet_json(
     return strict(
         {
             **json_head("fleet", arms, command, fleet.seed, fleet.samples),
-            "agree": fleet.worst(as_read=as_read) <= limit,
+            "agree": fleet.agrees(limit, as_read=as_read),
             "arms": [
                 {
                     "name": report.arm.name,
@@ -89,7 +89,7 @@ def _judged(report: EngineReport, limit: float, as_read: bool) -> bool:
 
 
 def _engine(stage: str, reading: Reading) -> Report:
-    belief = reading.belief
+    explanation = reading.explanation
     return {
         "engine": reading.key,
         "title": reading.title,
@@ -97,10 +97,10 @@ def _engine(stage: str, reading: Reading) -> Report:
         "stage": stage,
         "route": reading.route or None,
         "refused": reading.refused,
-        "said": reading.said,
-        "explained": belief is not None and belief.explained,
-        "unexplained": None if belief is None else belief.gap,
-        "follows": [] if belief is None else belief.follows,
+        "said": reading.warnings,
+        "explained": explanation is not None and explanation.explained,
+        "unexplained": None if explanation is None else explanation.gap,
+        "follows": [] if explanation is None else explanation.follows,
     }
 
 
@@ -124,7 +124,7 @@ def _parity(report: EngineReport) -> list[Report]:
 
 
 def _imports(stage: str, reading: Reading) -> list[Report]:
-    if reading.imported is None or reading.key == "own":
+    if reading.imported is None or reading.key == REFERENCE:
         return []
     return [
         {
@@ -133,9 +133,9 @@ def _imports(stage: str, reading: Reading) -> list[Report]:
             "kind": one.kind,
             "where": one.where or None,
             "written": one.written,
-            "held": one.held,
+            "held": one.imported,
             "bears_on": one.bears_on,
-            "cost": one.cost,
+            "cost": one.torque_effect,
             "known_issue": None if one.known_issue is None else one.known_issue.id,
             "fix": None if one.known_issue is None else one.known_issue.fix,
         }

@@ -4,7 +4,8 @@ others.
 
 from __future__ import annotations
 
-from .._engines.registry import REGISTRY, EngineEntry
+from .._engines.engine_entry import EngineEntry
+from .._engines.registry import REGISTRY
 from .document import Column, Document, Row, Section, Table
 from .json_head import json_head
 from .json_values import Report, strict

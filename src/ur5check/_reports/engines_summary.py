@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from .._comparison.difference_summary import listed
 from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
+from .._engines.audit.fleet_comparison import FleetReport
 from .._engines.audit.import_difference import ImportDifference, Kind
-from .._engines.registry import REGISTRY
+from .._engines.registry import REFERENCE, REGISTRY
 
-__all__ = ["deed", "summarize"]
+__all__ = ["deed", "fleet_verdict", "summarize"]
 
 _LOST: dict[Kind, str] = {
     "position-limit": "position limits",
@@ -35,9 +36,10 @@ def summarize(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) 
     lines = [_verdict(report, model or report.arm.name, limit), _repairs(report, limit)]
     for name, stage in report.stages():
         lines += [
-            f"Not explained: {r.title} {name} is {_force(r.belief.gap)} away from what it holds."
+            f"Not explained: {r.title} {name} is {_force(r.explanation.gap)} away from what it "
+            "imported."
             for r in stage.unexplained
-            if r.belief is not None
+            if r.explanation is not None
         ]
     lines += [f"{r.refused}." for r in report.as_read.readings if r.refused is not None]
     lines += [_use(reading) for reading in report.as_read.readings]
@@ -48,7 +50,7 @@ def deed(reading: Reading) -> str:
     """What an engine has done to the arm, as a clause: "has added 2 kg"."""
     if reading.refused is not None:
         return "does not take the model"
-    follows = reading.belief.follows if reading.belief else ()
+    follows = reading.explanation.follows if reading.explanation else ()
     if "order" in follows:
         return "counts the joints in its own order"
     if "gravity" in follows:
@@ -56,9 +58,24 @@ def deed(reading: Reading) -> str:
     harmful = reading.imported.harmful if reading.imported else ()
     if not harmful:
         return "computes something else"
-    worst = max(harmful, key=lambda one: one.cost or 0.0)
+    worst = max(harmful, key=lambda one: one.torque_effect or 0.0)
     alike = [one for one in harmful if one.kind == worst.kind]
     return _CLAUSES.get(worst.kind, _other)(alike)
+
+
+def fleet_verdict(fleet: FleetReport, limit: float) -> str:
+    """On how many arms the engines agree, as read and repaired; refusals are counted apart."""
+    n = len(fleet.reports)
+    text = f"as read, all engines agree on {fleet.agreeing(limit, as_read=True)} of {n} arms"
+    differ = fleet.differing(limit, as_read=True)
+    if differ:
+        left = fleet.differing(limit, as_read=False)
+        text += f" and differ on {differ}; with the repairs they agree on "
+        text += f"{fleet.agreeing(limit, as_read=False)} and differ on {left or 'none'}"
+    refused = fleet.refused(as_read=False)
+    if refused:
+        text += f"; {refused} {'is' if refused == 1 else 'are'} refused by at least one engine"
+    return text
 
 
 def _added(alike: Sequence[ImportDifference]) -> str:
@@ -102,7 +119,7 @@ _CLAUSES = {
 def _verdict(report: EngineReport, model: str, limit: float) -> str:
     stage = report.as_read
     groups = stage.matrix.agreeing(limit)
-    same = next(group for group in groups if "own" in group)
+    same = next(group for group in groups if REFERENCE in group)
     others = [r for r in stage.readings if r.key not in same]
     if len(stage.readings) == 1:
         return "Only our own recursion has read it: install another engine to compare."
@@ -120,7 +137,7 @@ def _deviant(report: EngineReport, reading: Reading) -> str:
     clause = f"{reading.title} {deed(reading)}"
     if reading.refused is not None:
         return clause
-    worst = report.as_read.matrix.between("own", reading.key)
+    worst = report.as_read.matrix.between(REFERENCE, reading.key)
     name = report.arm.joints[worst.joint].name
     return f"{clause}: {_force(worst.torque)} at joint {worst.joint + 1} ({name})"
 
@@ -128,7 +145,7 @@ def _deviant(report: EngineReport, reading: Reading) -> str:
 def _is_repaired(report: EngineReport, key: str, limit: float) -> bool:
     if report.repaired is None or report.repaired.reading(key).refused is not None:
         return False
-    return report.repaired.matrix.between("own", key).torque <= limit
+    return report.repaired.matrix.between(REFERENCE, key).torque <= limit
 
 
 def _repairs(report: EngineReport, limit: float) -> str:
@@ -145,11 +162,11 @@ def _repairs(report: EngineReport, limit: float) -> str:
 
 def _use(reading: Reading) -> str:
     """What bears on no torque, but on whoever drives this engine by hand."""
-    if reading.imported is None or reading.key == "own":
+    if reading.imported is None or reading.key == REFERENCE:
         return ""
     kinds = reading.imported.kinds
     differ = [kind for kind in _LOST if kinds[kind]]
-    lost = [k for k in differ if all(one.held in _NOTHING for one in _alike(reading, k))]
+    lost = [k for k in differ if all(one.imported in _NOTHING for one in _alike(reading, k))]
     other = [kind for kind in differ if kind not in lost]
     without = listed([_LOST[kind] for kind in lost]).replace(" and ", " or ") if lost else ""
     notes = [f"keeps no {without}"] if lost else []

@@ -1,1 +1,1 @@
-"""Arms that move: our own integrator and two physics engines, and whether they agree."""
+"""Motion of an arm under given torques, by our integrator or by engines that can step."""

@@ -1,13 +1,13 @@
-"""Do the engines move the same arm?  At a finite step none is right; at step zero all must agree.
+"""Convergence of the engines' motions: they must agree in the limit of step zero.
 
-Each integrator follows the same motion with steps halved again and again.  Its error against a
+Each integrator computes the same motion with steps that are halved repeatedly.  Its error against a
 reference of our own (DOP853 at the tightest tolerance) must fall with the step at the integrator's
-order p.  The states themselves then have an expansion in the step,
+order p.  The final positions have an expansion in the step,
 
     q(h) = q(0) + c_p hᵖ + c_{p+1} hᵖ⁺¹ + …
 
-whose terms Richardson's extrapolation removes one after the other (Hairer et al. 1993, II.9).  What
-is left is what the engine's *equations of motion* say, whoever integrates them.
+whose terms Richardson's extrapolation removes one after the other (Hairer et al. 1993, II.9).  The
+limit depends on the engine's *equations of motion* only, not on its integrator.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from numpy.typing import ArrayLike
 
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from .free_motion import Say, integrated, silent, stepped
+from .free_motion import Progress, integrated, no_progress, stepped
 from .integration import REFERENCE
-from .require_same_model import admit
-from .torque_sources import Held
+from .require_same_model import checked_stepper
+from .torque_sources import ConstantTorque
 
 __all__ = ["HALVINGS", "OWN_HALVINGS", "Convergence", "Refinement", "convergence", "extrapolated"]
 
@@ -37,9 +37,9 @@ OWN_HALVINGS = range(6, 10)
 class Refinement:
     """One integrator with ever smaller steps.
 
-    order : what its authors say
+    order : as its authors state it
     dt : shape (L,) [s], each half of the one before
-    q : where the arm is at the end, shape (L, n) [rad]
+    q : final positions, shape (L, n) [rad]
     error : largest joint error against the reference, shape (L,) [rad]
     limit : q extrapolated to step zero, shape (n,) [rad]
     limit_error : largest joint error of the limit against the reference [rad]
@@ -56,12 +56,12 @@ class Refinement:
 
     @property
     def measured_order(self) -> Array:
-        """log₂ of how much each halving gains, shape (L − 1,)."""
+        """log₂ of the error ratio of each halving, shape (L − 1,)."""
         return np.asarray(np.log2(self.error[:-1] / self.error[1:]))
 
     @property
     def overall_order(self) -> float:
-        """The same from the first step to the last, a halving."""
+        """The same from the first step to the last, per halving."""
         return float(np.log2(self.error[0] / self.error[-1]) / (len(self.error) - 1))
 
 
@@ -69,7 +69,7 @@ class Refinement:
 class Convergence:
     """One motion by every integrator.
 
-    seconds : its length;  turned : how far the joint that turned most has turned [rad]
+    seconds : its duration;  turned : largest rotation of a joint [rad]
     reference_error : of the reference, from one at a looser tolerance [rad]
     """
 
@@ -96,37 +96,40 @@ def convergence(
     engines: Sequence[str] = ("mujoco", "dart"),
     halvings: Sequence[int] = HALVINGS,
     own_halvings: Sequence[int] = OWN_HALVINGS,
-    say: Say = silent,
+    progress: Progress = no_progress,
 ) -> Convergence:
-    """Let go of `arm` at `q`, at rest, under constant torques, by every integrator of the engines.
+    """The motion of `arm` from rest at `q` under constant torques, by every integrator.
 
     q, tau : shape (n,) [rad], [N m]
-    engines : keys, see `admission.STEPPERS`
+    engines : keys of engines that can step
     halvings, own_halvings : k for steps of seconds · 2⁻ᵏ, in a row; empty: without our own
 
-    Constant torques keep the equations smooth: a torque that is recomputed once a step would bring
-    an error of first order of its own.  Raises as `admit` does.
+    Constant torques keep the equations smooth: a torque that is recomputed once per step would add
+    an error of first order.  Raises as `checked_stepper` does.
     """
-    start, held = np.asarray(q, dtype=np.float64), Held(np.asarray(tau, dtype=np.float64))
+    start, torque = (
+        np.asarray(q, dtype=np.float64),
+        ConstantTorque(np.asarray(tau, dtype=np.float64)),
+    )
     rest, ends = np.zeros(arm.n), np.array([0.0, seconds])
-    say("the reference: DOP853 at its tightest tolerance")
-    reference = integrated(arm, held, start, rest, ends, precision=REFERENCE).q[-1]
-    looser = integrated(arm, held, start, rest, ends).q[-1]
+    progress("the reference: DOP853 at its tightest tolerance")
+    reference = integrated(arm, torque, start, rest, ends, precision=REFERENCE).q[-1]
+    looser = integrated(arm, torque, start, rest, ends).q[-1]
 
     def engine_ends() -> Iterator[tuple[str, str, int, Array, list[Array]]]:
         if own_halvings:
-            say("our own integrator with fixed steps")
+            progress("our own integrator with fixed steps")
             dt = seconds * 2.0 ** -np.array(own_halvings, dtype=np.float64)
-            last = [integrated(arm, held, start, rest, ends, step=h).q[-1] for h in dt]
+            last = [integrated(arm, torque, start, rest, ends, step=h).q[-1] for h in dt]
             yield "ur5check", "DOP853", 8, dt, last
         dt = seconds * 2.0 ** -np.array(halvings, dtype=np.float64)
         for key in engines:
-            engine = admit(key, arm).engine
+            engine = checked_stepper(key, arm).engine
             for name, order in engine.integrators.items():
-                say(f"{engine.name}, {name}")
+                progress(f"{engine.name}, {name}")
                 last = [
                     stepped(
-                        engine, held, start, rest,
+                        engine, torque, start, rest,
                         dt=h, steps=2**k, integrator=name, every=2**k,
                     ).q[-1]
                     for h, k in zip(dt, halvings, strict=True)

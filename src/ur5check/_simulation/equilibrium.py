@@ -1,8 +1,8 @@
-"""How an arm that is held by constant torques takes a small push: it swings, or falls.
+"""Stability of an arm that constant torques hold: how fast a small deviation grows.
 
 Around a posture that the torques hold exactly, M ë + (∂g/∂q) e = 0.  With a direction in which
-gravity pulls away (∂g/∂q has a negative eigenvalue against M), e grows as exp(λ t), by a factor e
-every 1/λ.  Such an arm stands like a pencil on its tip: for as long as nothing touches it.
+gravity destabilises (∂g/∂q has a negative eigenvalue relative to M), e grows as exp(λ t).  Such an
+equilibrium is unstable, like an inverted pendulum.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from .._robot.transforms import Array
 
 __all__ = ["gravity_stiffness", "growth_rate"]
 
-_STEP = 1e-20  # of a complex step, which has no cancellation
+_STEP = 1e-20  # of the complex step, which has no cancellation
 #: Eigenvalues of a 6 × 6 pencil are known to some hundred ε of the largest.
 _ROUNDING = 1e3 * float(np.finfo(np.float64).eps)
 
@@ -31,7 +31,7 @@ def gravity_stiffness(arm: SerialArm, q: ArrayLike) -> Array:
 
 
 def growth_rate(arm: SerialArm, q: ArrayLike) -> float:
-    """λ [1/s]: a small error under constant torques grows as exp(λ t); 0 where it only swings."""
+    """λ [1/s]: a small deviation grows as exp(λ t) under constant torques; 0 if it oscillates."""
     from scipy.linalg import eigh
 
     # ∂g/∂q is the Hessian of the potential: symmetric, so that every λ² is real.

@@ -1,6 +1,6 @@
-"""An arm let go: our own equations of motion under DOP853, or an engine step by step.
+"""Motion from a given state: our equations of motion under DOP853, or an engine's own steps.
 
-Either way out comes a `Motion`, so that what follows need not know who moved the arm.
+Both return a `Motion`.
 """
 
 from __future__ import annotations
@@ -9,24 +9,24 @@ from collections.abc import Callable
 
 import numpy as np
 
+from .._dynamics.equations import acceleration_of
 from .._engines.engine import Stepper
 from .._errors import EngineError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
-from .acceleration import acceleration_of
 from .integration import WORKING, Precision, integrate
 from .joint_range import JointRange
 from .motion_result import Motion
 from .torque_sources import TorqueSource
 
-__all__ = ["Say", "integrated", "silent", "stepped"]
+__all__ = ["Progress", "integrated", "no_progress", "stepped"]
 
-#: Takes a line of progress.
-Say = Callable[[str], None]
+#: Receives a line of progress.
+Progress = Callable[[str], None]
 
 
-def silent(line: str) -> None:
-    """No progress."""
+def no_progress(line: str) -> None:
+    """Ignore the line."""
 
 
 def integrated(
@@ -39,18 +39,18 @@ def integrated(
     joint_range: JointRange | None = None,
     precision: Precision = WORKING,
     step: float | None = None,
-    say: Say = silent,
+    progress: Progress = no_progress,
 ) -> Motion:
     """The motion by our own dynamics; torques follow the state continuously.
 
-    q, qd : where it starts, shape (n,) [rad], [rad/s];  times : shape (K,) [s], from 0
-    travel : the motion ends where a joint leaves it
+    q, qd : the initial state, shape (n,) [rad], [rad/s];  times : shape (K,) [s], from 0
+    joint_range : the motion ends where a joint leaves it
     step : fixed steps of this length [s] instead of a precision
 
     The work is integrated beside the state, dW/dt = τ · q̇.  Raises as `integrate` does.
     """
     n, accelerate = arm.n, acceleration_of(arm)
-    reached = _Clock(float(times[-1]), say)
+    reached = _Clock(float(times[-1]), progress)
 
     def rate(t: float, y: Array) -> Array:
         reached(t)
@@ -77,18 +77,18 @@ def stepped(
     integrator: str | None = None,
     every: int = 1,
     joint_range: JointRange | None = None,
-    say: Say = silent,
+    progress: Progress = no_progress,
 ) -> Motion:
-    """The motion by an engine's own integrator; a torque is held during each step.
+    """The motion by an engine's own integrator; the torque is constant during each step.
 
-    dt : the step [s];  every : how many steps lie between the instants that are kept
+    dt : the step [s];  every : number of steps between the instants that are kept
     integrator : one of `engine.integrators`, the engine's default when None
-    travel : the motion ends with the step in which a joint leaves it
+    joint_range : the motion ends with the step in which a joint leaves it
 
-    A torque held over a step does the work τ · Δq, exactly.  Raises EngineError if the engine's
-    state stops being finite.
+    A torque that is constant over a step does the work τ · Δq, exactly.  Raises EngineError if the
+    engine's state is no longer finite.
     """
-    reached = _Clock(steps * dt, say)
+    reached = _Clock(steps * dt, progress)
     work, kept = 0.0, []
     for k in range(steps + 1):
         tau = torque(q, qd)
@@ -101,7 +101,7 @@ def stepped(
         q_next, qd_next = engine.step(q, qd, tau, dt, integrator)
         if not (np.isfinite(q_next).all() and np.isfinite(qd_next).all()):
             raise EngineError(
-                f"{engine.name} lost the arm after {k * dt:.4g} s: its state is no longer finite; "
+                f"{engine.name} diverged after {k * dt:.4g} s: its state is no longer finite; "
                 "take a smaller step"
             )
         work += float(tau @ (q_next - q))
@@ -111,13 +111,13 @@ def stepped(
 
 
 class _Clock:
-    """Says every tenth of the way that has been reached, once."""
+    """Reports every tenth of the simulated time, once."""
 
-    def __init__(self, end: float, say: Say) -> None:
-        self._end, self._say, self._said = end, say, 0
+    def __init__(self, end: float, progress: Progress) -> None:
+        self._end, self._progress, self._reported = end, progress, 0
 
     def __call__(self, t: float) -> None:
         tenth = int(10.0 * t / self._end)
-        if tenth > self._said:
-            self._said = tenth
-            self._say(f"{t:.2f} of {self._end:g} s")
+        if tenth > self._reported:
+            self._reported = tenth
+            self._progress(f"{t:.2f} of {self._end:g} s")

@@ -1,4 +1,4 @@
-"""Our own integrator: SciPy's DOP853, with the tolerances of the house said here and nowhere else.
+"""Our own integrator: SciPy's DOP853, with its tolerances.
 
 Dormand and Prince's pair of order 8 (Hairer et al. 1993, II.5) suits an arm without contact: its
 equations are smooth, so a high order pays, and the step adapts to how fast the arm swings.
@@ -24,15 +24,15 @@ Stop = Callable[[float, Array], float]
 
 @dataclass(frozen=True)
 class Precision:
-    """How large an error a step may make: rtol · |y| + atol, entry by entry."""
+    """Largest error of a step: rtol · |y| + atol, entry by entry."""
 
     rtol: float
     atol: float
 
 
-#: For answers that are shown: the error of a swing of seconds stays far below a micrometre.
+#: For reports: over seconds of motion the error of the tool stays far below a micrometre.
 WORKING = Precision(rtol=1e-9, atol=1e-11)
-#: For judging other integrators: as close to rounding as steps of double precision come.
+#: For judging other integrators: as close to rounding as double precision allows.
 REFERENCE = Precision(rtol=1e-12, atol=1e-14)
 
 _ANYTHING = 1e9  # a tolerance that no step of an arm exceeds
@@ -50,11 +50,11 @@ def integrate(
     """The instants reached, shape (K,) [s], and the states there, shape (K, N).
 
     times : instants to keep, from start to end
-    step : fixed steps of this length [s], whatever error they make: to see the order at work
+    step : fixed steps of this length [s], whatever their error: to measure the order
     stop : integration ends where this crosses zero; that instant then is the last, in place of the
         times after it
 
-    Raises UsageError if the step shrinks to nothing: a state that runs away within finite time.
+    Raises UsageError if the step shrinks to zero: the state diverges within finite time.
     """
     from scipy.integrate import solve_ivp
 
@@ -67,9 +67,9 @@ def integrate(
         def ended(t: float, y: Array) -> float:
             return stop(t, y)
 
-        ended.terminal = True  # type: ignore[attr-defined]  # how SciPy wants to be told
+        ended.terminal = True  # type: ignore[attr-defined]  # SciPy's interface
         events = [ended]
-    # A state that overflows on its way out is caught below, by the solver's own verdict.
+    # A state that overflows is reported below, from the solver's own status.
     with np.errstate(over="ignore", invalid="ignore"):
         solution = solve_ivp(
             rate,
@@ -82,7 +82,7 @@ def integrate(
         )
     if not solution.success:
         raise UsageError(
-            f"the motion runs away before {times[-1]:g} s "
+            f"the motion diverges before {times[-1]:g} s "
             f"({solution.message.lower().rstrip('.')}); simulate a shorter time"
         )
     t, y = np.asarray(solution.t), np.asarray(solution.y.T)

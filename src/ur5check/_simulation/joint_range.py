@@ -1,8 +1,8 @@
-"""How far joints may go before a simulation has nothing more to say.
+"""The range of joint positions within which a simulation is meaningful.
 
-Plants here have no stops, so that an arm under a wrong constant torque would spin ever faster.  A
-real one would have met its stop: the simulation ends where the first joint reaches the limit in
-the model, or, where the model names none, a full turn from the start.
+Simulated arms have no stops, so that an arm under a wrong constant torque would spin ever faster,
+where a real one meets its stop.  The simulation ends where the first joint reaches the limit in
+the model, or, where the model has none, a full turn from the start.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ _FULL_TURN = 2.0 * np.pi
 
 @dataclass(frozen=True, eq=False)
 class JointRange:
-    """lower, upper : joint positions, shape (n,) [rad], between which the arm is followed."""
+    """lower, upper : joint positions, shape (n,) [rad], within which the motion is simulated."""
 
     lower: Array
     upper: Array
 
     def margin(self, q: Array) -> float:
-        """Distance of the joint that is nearest to its end [rad]; negative beyond it."""
+        """Smallest distance of a joint from its limit [rad]; negative beyond it."""
         return float(np.minimum(q - self.lower, self.upper - q).min())
 
 

@@ -1,4 +1,4 @@
-"""What came of letting an arm move, and whether its energy adds up."""
+"""The motion of an arm, and its energy balance."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ class Motion:
 
     t : shape (K,) [s], from 0
     q, qd : shape (K, n) [rad], [rad/s]
-    tau : what the joints were given, shape (K, n) [N m]
+    tau : the applied joint torques, shape (K, n) [N m]
     work : of those torques since t = 0, shape (K,) [J]
-    stopped : whether it ended at a joint's end of travel
+    stopped : whether it ended at a joint's limit
     """
 
     t: Array
@@ -34,11 +34,11 @@ class Motion:
 
 @dataclass(frozen=True, eq=False)
 class EnergyBalance:
-    """T + U of the rigid bodies against the work that went in.
+    """T + U of the rigid bodies against the work of the torques.
 
     total : T + U − (T + U at t = 0), shape (K,) [J]
     work : of the torques, shape (K,) [J]
-    turned_over : the largest of |ΔT|, |ΔU| and |work| on the way [J]: what an error is a part of
+    turned_over : the largest of |ΔT|, |ΔU| and |work| during the motion [J]: the scale of an error
     """
 
     total: Array
@@ -47,17 +47,17 @@ class EnergyBalance:
 
     @property
     def error(self) -> Array:
-        """Energy that came from nowhere, shape (K,) [J]: the integrator's own."""
+        """Energy error of the integrator, shape (K,) [J]."""
         return np.asarray(self.total - self.work)
 
     @property
     def worst(self) -> float:
-        """The largest error on the way [J]."""
+        """The largest error during the motion [J]."""
         return float(np.abs(self.error).max())
 
     @property
     def relative(self) -> float:
-        """The largest error as a part of what was turned over; 0 for an arm that stayed still."""
+        """The largest error relative to `turned_over`; 0 for an arm at rest."""
         return self.worst / self.turned_over if self.turned_over > 0.0 else 0.0
 
 

@@ -1,7 +1,7 @@
-"""The paper's test 9: give the joints the torques that a model says hold the arm, and look.
+"""The paper's test 9: apply the torques that hold the arm according to a model.
 
-If the model is right, the arm stands; if it is not, it moves.  Torques are held as they were at the
-start, as the paper published them to Gazebo, or recomputed for the posture of every instant.
+If the model is right, the arm stands; if it is not, it moves.  Torques are constant, as the paper
+published them to Gazebo, or recomputed for the posture of every instant.
 """
 
 from __future__ import annotations
@@ -15,26 +15,27 @@ from .._comparison.arm_pair import Pair, pair_up
 from .._dynamics.batching import joint_array
 from .._dynamics.equations import gravity_torque
 from .._dynamics.kinematics import forward_kinematics
+from .._engines.registry import REFERENCE, steppers
 from .._errors import UsageError
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .._version import __version__
 from .equilibrium import growth_rate
-from .free_motion import Say, integrated, silent, stepped
+from .free_motion import Progress, integrated, no_progress, stepped
 from .integration import WORKING
 from .joint_range import joint_range_of
 from .motion_result import EnergyBalance, Motion, energy_balance
-from .require_same_model import admit
-from .torque_sources import Held, Recomputed, TorqueSource
+from .require_same_model import checked_stepper
+from .torque_sources import ConstantTorque, GravityCompensation, TorqueSource
 
 __all__ = ["ENGINES", "STILL", "Mover", "StaticHold", "stand"]
 
-#: A UR5's data sheet promises to come back to a place within 0.1 mm: what moves less stands as
-#: still as the real arm can show [m].
+#: The repeatability of a UR5 by its data sheet [m]: a tool that moves less stands as still as the
+#: real arm can show.
 STILL = 1e-4
 
-#: Who may move the arm: our own integrator, and two physics engines.
-ENGINES = ("own", "mujoco", "dart")
+#: Keys of the engines that can move the arm; our own integrator first.
+ENGINES = steppers()
 
 _KEPT = 5_000  # instants of a motion: every millisecond of five seconds
 _MOST_STEPS = 10_000_000  # minutes of work
@@ -42,10 +43,10 @@ _MOST_STEPS = 10_000_000  # minutes of work
 
 @dataclass(frozen=True)
 class Mover:
-    """Who moved the arm.
+    """The engine that moved the arm.
 
     integrator : by name;  dt : its step [s], None where the step adapts
-    repaired : what the engine would have held otherwise in the file as it is, in words
+    repaired : what the engine would have imported otherwise from the file as it is, in words
     """
 
     name: str
@@ -57,16 +58,16 @@ class Mover:
 
 @dataclass(frozen=True, eq=False)
 class StaticHold:
-    """What came of test 9.
+    """The result of test 9.
 
-    pair : `a` the plant, `b` the model whose torques it was given, in the plant's coordinates
-    held : whether the torques were held, otherwise recomputed
-    seconds : how long the arm was to be watched
-    motion : of the plant, up to `seconds` or to a joint's end of travel
+    pair : `a` the plant, `b` the model whose torques were applied, in the plant's coordinates
+    held : whether the torques were constant, otherwise recomputed
+    seconds : the duration asked for
+    motion : of the plant, up to `seconds` or to a joint's limit
     needed : g(q) of the plant at the start, shape (n,) [N m]
-    tool_drift : how far the tool is from where it started, shape (K,) [m]
-    growth : how fast a small error grows under constant torques [1/s], see `growth_rate`
-    energy : the plant's own balance
+    tool_drift : distance of the tool from its start, shape (K,) [m]
+    growth : how fast a small deviation grows under constant torques [1/s], see `growth_rate`
+    energy : the plant's energy balance
     """
 
     pair: Pair
@@ -86,7 +87,7 @@ class StaticHold:
 
     @property
     def joint_drift(self) -> Array:
-        """How far each joint is from where it started, shape (K, n) [rad]."""
+        """Distance of each joint from its start, shape (K, n) [rad]."""
         return np.asarray(self.motion.q - self.motion.q[0])
 
     @property
@@ -98,14 +99,14 @@ class StaticHold:
 
     @property
     def left_after(self) -> float | None:
-        """The first instant at which the arm is seen to have moved [s]; None if it stands."""
+        """The first instant at which the arm has visibly moved [s]; None if it stands."""
         angle = np.abs(self.joint_drift).max(axis=1)
         away = np.flatnonzero((self.tool_drift > STILL) | (angle > self.still_angle))
         return float(self.motion.t[away[0]]) if len(away) else None
 
     @property
     def stands(self) -> bool:
-        """Whether neither the tool nor a joint moved as far as could be seen."""
+        """Whether neither the tool nor a joint moved visibly."""
         return self.left_after is None
 
 
@@ -114,31 +115,32 @@ def stand(
     model: SerialArm,
     q: ArrayLike,
     *,
-    engine: str = "own",
+    engine: str = REFERENCE,
     held: bool = True,
     seconds: float = 5.0,
     dt: float = 1e-3,
     integrator: str | None = None,
-    say: Say = silent,
+    progress: Progress = no_progress,
 ) -> StaticHold:
-    """Give `plant` the torques that hold `model` at `q`, and follow what it does.
+    """Apply the torques that hold `model` at `q` to `plant`, and simulate its motion.
 
     Parameters
     ----------
     plant : the arm that moves
-    model : the arm whose torques it is given; its joint angles and base are mapped to the plant's
+    model : the arm whose torques are applied; its joint angles and base are mapped to the plant's
         as `comparison` finds them (`pair_up`)
-    q : where the plant starts, at rest, shape (n,) [rad]
-    engine : "own", "mujoco" or "dart"
+    q : the plant's posture at the start, at rest, shape (n,) [rad]
+    engine : one of `ENGINES`
     held : whether the torques stay those of the start, otherwise g(q) of the model at each step
-    dt, integrator : of a physics engine, its step [s] and integrator (its default when None); our
-        own integrator chooses its steps itself
+    dt, integrator : step [s] and integrator of an engine (its default when None); our own
+        integrator adapts its steps
+    progress : called with a line every tenth of the simulated time
 
     Raises
     ------
     UsageError : an option without meaning, or a pose beyond a joint limit
     StateError : a q of the wrong length
-    EngineError : an engine that is not here, or that would simulate another arm
+    EngineError : an engine that is not installed, or that would simulate another arm
     """
     pair = pair_up(plant, model)
     q_0 = joint_array(plant, "q", q).astype(np.float64)
@@ -146,26 +148,33 @@ def stand(
         raise UsageError(f"one posture is simulated at a time, not an array of shape {q_0.shape}")
     _refuse_times(seconds, dt)
     joint_range = joint_range_of(plant, q_0)
-    torque: TorqueSource = Held(gravity_torque(pair.b, q_0)) if held else Recomputed(pair.b)
+    torque: TorqueSource = (
+        ConstantTorque(gravity_torque(pair.b, q_0)) if held else GravityCompensation(pair.b)
+    )
     rest, steps = np.zeros(plant.n), round(seconds / dt)
-    if engine == "own":
+    if engine == REFERENCE:
         if integrator is not None:
-            raise UsageError("an integrator is chosen for mujoco or dart; our own is DOP853")
+            raise UsageError(
+                f"--integrator is for other engines than {REFERENCE}, whose own is DOP853 with "
+                "adaptive steps; leave it out"
+            )
         mover = Mover("ur5check", __version__, f"DOP853, rtol {WORKING.rtol:g}", None)
         times = np.linspace(0.0, seconds, min(steps, _KEPT) + 1)
-        motion = integrated(plant, torque, q_0, rest, times, joint_range=joint_range, say=say)
+        motion = integrated(
+            plant, torque, q_0, rest, times, joint_range=joint_range, progress=progress
+        )
     else:
-        admitted = admit(engine, plant)
-        stepper = admitted.engine
+        checked = checked_stepper(engine, plant)
+        stepper = checked.engine
         chosen = integrator or next(iter(stepper.integrators))
         if chosen not in stepper.integrators:
             known = ", ".join(stepper.integrators)
             raise UsageError(f"{stepper.name} has no integrator {chosen!r}; choose from {known}")
-        mover = Mover(stepper.name, stepper.version, chosen, dt, admitted.repaired)
+        mover = Mover(stepper.name, stepper.version, chosen, dt, checked.repaired)
         motion = stepped(
             stepper, torque, q_0, rest,
             dt=dt, steps=steps, integrator=chosen,
-            every=max(1, steps // _KEPT), joint_range=joint_range, say=say,
+            every=max(1, steps // _KEPT), joint_range=joint_range, progress=progress,
         )  # fmt: skip
     tool = forward_kinematics(plant, motion.q)[:, :3, 3]
     return StaticHold(

@@ -1,4 +1,4 @@
-"""Where the torques come from that an arm is given while it moves."""
+"""The joint torques of a simulation: constant, or a function of the state."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from .._dynamics.equations import gravity_torque
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 
-__all__ = ["Held", "Recomputed", "TorqueSource"]
+__all__ = ["ConstantTorque", "GravityCompensation", "TorqueSource"]
 
 
 class TorqueSource(Protocol):
-    """Torques at an instant."""
+    """Joint torques as a function of the state."""
 
     def __call__(self, q: Array, qd: Array) -> Array:
         """τ, shape (n,) [N m], of a state of shape (n,) each [rad], [rad/s]."""
@@ -21,19 +21,19 @@ class TorqueSource(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Held:
-    """One torque for all time, shape (n,) [N m]: what the paper published to Gazebo's topics."""
+class ConstantTorque:
+    """Constant torques, shape (n,) [N m], as the paper published them to Gazebo's topics."""
 
     tau: Array
 
     def __call__(self, q: Array, qd: Array) -> Array:
-        """The same, wherever the arm has got to."""
+        """The constant torques, for any state."""
         return self.tau
 
 
 @dataclass(frozen=True, eq=False)
-class Recomputed:
-    """Gravity compensation: at every instant, what `model` needs to rest where the arm is now."""
+class GravityCompensation:
+    """Gravity compensation: at every instant the torques that hold `model` at the arm's posture."""
 
     model: SerialArm
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from .._comparison.difference import Difference, compare, under_gravity
+from .._engines.adapters.ur5check_recursion import RecursionEngine
 from .._engines.engine import ReferenceEngine
-from .._engines.recursion_engine import RecursionEngine
 from .._io.loading import ArmSource, load
 from .._robot.labels import labelled
 from .._robot.serial_arm import SerialArm
@@ -106,7 +106,7 @@ def validate(
     InputError : a model that cannot be read, or arms that cannot be compared.
     EngineError : Pinocchio cannot take a model.
     """
-    from .._engines.pinocchio import PinocchioEngine
+    from .._engines.adapters.pinocchio import PinocchioEngine
 
     say = progress or (lambda line: None)
     arms = []

@@ -12,7 +12,7 @@ from speed.result import Benchmark
 from speed.summary import summarize
 
 import ur5check
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._robot.states import random_states
 

@@ -9,7 +9,7 @@ import pytest
 import ur5check as ur5
 from examples import planar_arm
 from ur5check._dynamics.compiled.jax_function import jax_rnea, jax_torque_difference
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._errors import UsageError
 from ur5check._robot.states import random_states
 

@@ -11,7 +11,7 @@ import ur5check as ur5
 from examples import random_arm
 from ur5check._dynamics.compiled import kernel_source as source
 from ur5check._dynamics.compiled.kernel import Kernel, compile_difference, default_path
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._errors import StateError, UsageError
 from ur5check._robot.states import random_states
 

@@ -6,7 +6,7 @@ import numpy as np
 
 import ur5check
 from ur5check._dynamics.equations import bias_torque
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._robot.states import random_states
 
 RECURSION = {

@@ -8,7 +8,8 @@ import planted_engines
 import pytest
 from three_joints import ARM
 
-from ur5check._engines.registry import REGISTRY, EngineEntry
+from ur5check._engines.engine_entry import EngineEntry
+from ur5check._engines.registry import REGISTRY
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._robot import SerialArm
 
@@ -25,7 +26,8 @@ def plant(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], str]:
 
     def enter(name: str) -> str:
         assert hasattr(planted_engines, name)
-        entry = EngineEntry(name.lower(), name, "planted_engines", name)
+        engine = getattr(planted_engines, name)
+        entry = EngineEntry(key=name.lower(), title=name, order=99, make=engine)
         monkeypatch.setitem(REGISTRY, entry.key, entry)
         return entry.key
 

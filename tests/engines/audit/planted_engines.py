@@ -11,9 +11,9 @@ from dataclasses import replace
 import numpy as np
 
 from ur5check._dynamics.kinematics import link_frames
+from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
 from ur5check._engines.audit.written_bodies import written_arm
-from ur5check._engines.imported_model import HeldBody
-from ur5check._engines.recursion_engine import RecursionEngine
+from ur5check._engines.imported_model import ImportedBody
 from ur5check._errors import EngineError
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._robot import Inertia, Limits
@@ -49,7 +49,7 @@ class Honest(RecursionEngine):
         whole = super().imported_model()
         frames = link_frames(self.arm, np.zeros(self.arm.n))
         bodies = [
-            HeldBody(
+            ImportedBody(
                 body.name,
                 body.carried_by,
                 Inertia.from_parameters(body.parameters).expressed_in(

@@ -11,7 +11,10 @@ from three_joints import ARM
 
 from repository import REPOSITORY
 from ur5check._cli.main import main
+from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
 from ur5check._engines.audit.import_difference import KINDS
+from ur5check._engines.engine_entry import EngineEntry
+from ur5check._engines.registry import REGISTRY
 
 DOCS = REPOSITORY / "docs"
 SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
@@ -51,7 +54,7 @@ def test_one_that_does_not_agree_fails_the_gate(file, plant, capsys):
     assert engines(*options, "--tolerance", 1e6) == 0
 
 
-def test_dart_needs_its_remedy(file, capsys):
+def test_dart_needs_its_repair(file, capsys):
     options = (file, "--tip", "tool", "--with", "dart,pinocchio", "--samples", 20)
     assert engines(*options, "--as-read") == 1
     assert engines(*options, "--as-read", "--tolerance", 1e6) == 0
@@ -102,12 +105,14 @@ def test_json_holds_every_number(file, plant, tmp_path):
     assert report["verdict"]["explained"]
     assert not report["verdict"]["agree"]
     assert [(row["engine"], row["stage"]) for row in report["engines"]] == [
-        (engine, stage) for stage in ("as read", "repaired") for engine in ("own", "dart", key)
+        (engine, stage) for stage in ("as read", "repaired") for engine in ("ur5check", "dart", key)
     ]
     pairs = {(row["a"], row["b"], row["stage"]): row["torque"] for row in report["parity"]}
     assert len(pairs) == 6
-    assert pairs["own", "dart", "as read"] > 1.0 > 1e-10 > pairs["own", "dart", "repaired"]
-    assert pairs["own", key, "repaired"] == pairs["own", key, "as read"] > 1e-3
+    assert (
+        pairs["ur5check", "dart", "as read"] > 1.0 > 1e-10 > pairs["ur5check", "dart", "repaired"]
+    )
+    assert pairs["ur5check", key, "repaired"] == pairs["ur5check", key, "as read"] > 1e-3
     harmful = [row for row in report["imports"] if row["bears_on"] == "torque"]
     assert {(row["engine"], row["kind"], row["stage"]) for row in harmful} == {
         ("dart", "default-inertia", "as read"),
@@ -141,13 +146,18 @@ def test_the_list_names_all_engines(capsys, tmp_path):
     out = tmp_path / "list.json"
     assert engines("--list", "-o", out) == 0
     report = read_back(out.read_text(encoding="utf-8"))
-    assert [row["key"] for row in report["engines"]][:2] == ["own", "pinocchio"]
+    assert [row["key"] for row in report["engines"]][:2] == ["ur5check", "pinocchio"]
 
 
 def test_the_list_says_what_installs_an_absent_engine(capsys, monkeypatch):
-    from ur5check._engines.registry import REGISTRY, EngineEntry
-
-    absent = EngineEntry("absent", "Absent", ".absent", "A", "no-such-thing", "absent")
+    absent = EngineEntry(
+        key="absent",
+        title="Absent",
+        order=99,
+        make=RecursionEngine,
+        distribution="no-such-thing",
+        extra="absent",
+    )
     monkeypatch.setitem(REGISTRY, "absent", absent)
     assert engines("--list") == 0
     assert "pip install 'ur5check[absent]'" in capsys.readouterr().out

@@ -173,7 +173,7 @@ def test_a_base_that_gazebo_would_drop_is_given_mass(root):
     bare = text.replace(f'<link name="shoulder">{BODY}', '<link name="shoulder">')
     model = model_of(swinging_arm(bare))
     assert mass_of(model.urdf, {"torso": "torso", "world": "shoulder"}[root]) == "1"
-    assert any("bears on no torque" in note for note in model.notes)
+    assert any("loads no joint" in note for note in model.notes)
     arm, again = (
         read_urdf(t.encode(), file="t", base="shoulder", tip="hand") for t in (bare, model.urdf)
     )
@@ -184,7 +184,7 @@ def test_a_base_that_gazebo_would_drop_is_given_mass(root):
 def test_a_base_that_has_mass_keeps_it():
     model = model_of(ur5check.load("appendix"))
     assert float(mass_of(model.urdf, "base_link")) == 4.0
-    assert not any("bears on no torque" in note for note in model.notes)
+    assert not any("loads no joint" in note for note in model.notes)
 
 
 def test_no_limit_is_written_as_sdformat_writes_it():

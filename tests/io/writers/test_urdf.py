@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies as ur5
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._errors import ModelError
 from ur5check._io.number_text import as_written, exact, roll_pitch_yaw
 from ur5check._io.urdf.urdf_reader import read_urdf

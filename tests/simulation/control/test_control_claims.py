@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ur5check
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._paper.claim import overall
 from ur5check._paper.control_claims import (
     eq_28_is_the_law,

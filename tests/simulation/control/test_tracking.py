@@ -7,8 +7,8 @@ import pytest
 
 import ur5check
 from ur5check._comparison.arm_pair import pair_up
-from ur5check._engines.pinocchio import PinocchioEngine
-from ur5check._engines.recursion_engine import RecursionEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
 from ur5check._errors import UsageError
 from ur5check._simulation.control.computed_torque import ComputedTorque, effort_limits
 from ur5check._simulation.control.error_dynamics import companion_matrix, poles

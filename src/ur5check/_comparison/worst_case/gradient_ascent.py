@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..._engines.pinocchio import PinocchioEngine
+from ..._engines.adapters.pinocchio import PinocchioEngine
 from ..._robot.serial_arm import SerialArm, Source
 from ..._robot.transforms import Array
 from ..arm_pair import Pair

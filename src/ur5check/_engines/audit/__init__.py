@@ -1,1 +1,1 @@
-"""Do all engines mean the same robot: what each has read, and how far apart their answers are."""
+"""Engine agreement: what each engine imported, and how far apart the engines' answers are."""

@@ -1,4 +1,4 @@
-"""Every engine against every other, at the same states."""
+"""Differences between the answers of every pair of engines, at the same states."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from .engine_answers import Answers, Parity, hold_against
+from .engine_answers import AnswerDifference, Answers, answer_difference
 
-__all__ = ["Matrix", "matrix_of"]
+__all__ = ["AgreementMatrix", "matrix_of"]
 
 
 @dataclass(frozen=True)
-class Matrix:
+class AgreementMatrix:
     """keys : the engines, in the order of reports;  pairs : all pairs of them, in that order"""
 
     keys: tuple[str, ...]
-    pairs: tuple[Parity, ...]
+    pairs: tuple[AnswerDifference, ...]
 
-    def between(self, a: str, b: str) -> Parity:
-        """The parity of two engines, whichever is named first.  Raises KeyError for others."""
+    def between(self, a: str, b: str) -> AnswerDifference:
+        """The difference of two engines, in either order.  Raises KeyError for others."""
         for pair in self.pairs:
             if {pair.a, pair.b} == {a, b}:
                 return pair
@@ -46,7 +46,7 @@ class Matrix:
         return tuple(tuple(group) for group in sorted(groups, key=len, reverse=True))
 
 
-def matrix_of(answers: Sequence[Answers]) -> Matrix:
-    """All pairs of engines that were asked the same."""
-    pairs = tuple(hold_against(a, b) for a, b in combinations(answers, 2))
-    return Matrix(tuple(one.key for one in answers), pairs)
+def matrix_of(answers: Sequence[Answers]) -> AgreementMatrix:
+    """All pairs of engines, from their answers at the same states."""
+    pairs = tuple(answer_difference(a, b) for a, b in combinations(answers, 2))
+    return AgreementMatrix(tuple(one.key for one in answers), pairs)

@@ -1,8 +1,8 @@
-"""How far two readings of the same digits may lie apart: all tolerances of the audit, in one place.
+"""Rounding between two readings of the same digits: all tolerances of the audit, in one place.
 
 Engine and recursion read the same decimal text, so that the doubles they start from are equal.  An
-engine then carries each number through up to n joints to say it in the base frame, and we carry
-it back: some 32 roundings a joint each way, of the largest quantity on the way.
+engine then transforms each number through up to n joints to the base frame, and the audit
+transforms it back: some 32 roundings per joint each way, of the largest quantity involved.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _PER_JOINT = 64 * float(np.finfo(np.float64).eps)
 
 
 def reach(arm: SerialArm) -> float:
-    """No point of the arm lies farther from its base, at q = 0 [m]; at least a metre."""
+    """Sum of the link lengths, which no joint is farther from the base than [m]; at least 1 m."""
     lengths = [
         np.linalg.norm(T.p) for T in (arm.base, *(link.link_tip_frame for link in arm.links))
     ]
@@ -34,7 +34,7 @@ def reach(arm: SerialArm) -> float:
 def parameter_rounding(arm: SerialArm, *parameters: Array) -> Array:
     """Of the π of a body that the arm carries, shape (10,): m, m L, and m L² or I.
 
-    parameters : one reading or several of it; the largest counts
+    parameters : one reading of it or several; the largest counts
     """
     lever = reach(arm)
     mass = max(pi[0] for pi in parameters)
@@ -43,7 +43,7 @@ def parameter_rounding(arm: SerialArm, *parameters: Array) -> Array:
 
 
 def tensor_rounding(tensor: Array) -> float:
-    """Of a tensor turned there and back [kg m²]."""
+    """Of a tensor rotated there and back [kg m²]."""
     return _PER_JOINT * float(np.abs(tensor).max())
 
 
@@ -58,7 +58,7 @@ def torque_rounding(arm: SerialArm, tau: Array) -> float:
 
 
 def same_number(a: float | None, b: float | None) -> bool:
-    """A limit, a damping: at most turned into other units and back.  None: there is none."""
+    """Of a limit or a damping, at most converted to other units and back.  None: there is none."""
     if a is None or b is None:
         return a is b
     return abs(a - b) <= _PER_JOINT * max(abs(a), abs(b))

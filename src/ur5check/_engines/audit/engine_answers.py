@@ -1,4 +1,4 @@
-"""What an engine answers at given states, and how far apart two engines' answers lie."""
+"""An engine's answers at given states, and the difference between two engines' answers."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..engine import Engine
 
-__all__ = ["Answers", "Parity", "ask", "hold_against"]
+__all__ = ["AnswerDifference", "Answers", "answer_difference", "answers_of"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -19,8 +19,8 @@ class Answers:
 
     torque : τ(q, q̇, q̈), shape (N, n) [N m];  mass : M, shape (N, n, n) [kg m²]
     bias : C q̇ + g, shape (N, n) [N m]
-    acceleration : q̈ under torques that all engines are given, shape (N, n) [rad/s²]
-    tool : its place, shape (N, 3) [m]
+    acceleration : q̈ under the same torques for all engines, shape (N, n) [rad/s²]
+    tool : its position, shape (N, 3) [m]
     """
 
     key: str
@@ -32,13 +32,13 @@ class Answers:
 
 
 @dataclass(frozen=True)
-class Parity:
-    """How far apart engines `a` and `b` are: the worst over states and joints of each answer.
+class AnswerDifference:
+    """Differences between engines `a` and `b`: the largest over states and joints of each answer.
 
     torque, bias [N m], mass [kg m²], tool [m]
-    acceleration : of the largest acceleration at the same state, since M⁻¹ makes large ones of
+    acceleration : relative to the largest acceleration at the same state, since M⁻¹ amplifies
         small torques
-    joint, state : index of the joint and number of the state of the worst torque
+    joint, state : index of the joint and number of the state with the largest torque difference
     """
 
     a: str
@@ -52,8 +52,8 @@ class Parity:
     state: int
 
 
-def ask(key: str, engine: Engine, states: States, tau: Array) -> Answers:
-    """Put the same five questions to an engine; `tau`, shape (N, n), is what moves the arm."""
+def answers_of(key: str, engine: Engine, states: States, tau: Array) -> Answers:
+    """The five answers of an engine; `tau`, shape (N, n), are the torques for accelerations."""
     q, qd, qdd = states.q, states.qd, states.qdd
     return Answers(
         key,
@@ -65,17 +65,17 @@ def ask(key: str, engine: Engine, states: States, tau: Array) -> Answers:
     )
 
 
-def hold_against(a: Answers, b: Answers) -> Parity:
-    """The parity of two engines that were asked the same.
+def answer_difference(a: Answers, b: Answers) -> AnswerDifference:
+    """The difference of two engines' answers at the same states.
 
-    What is no number (an engine that broke down at a state) counts as infinitely far.
+    A value that is not a number (an engine that failed at a state) counts as infinite.
     """
     gap = _gap(a.torque, b.torque)
     state, joint = np.unravel_index(int(gap.argmax()), gap.shape)
     size = np.maximum(np.abs(a.acceleration), np.abs(b.acceleration)).max(axis=1)
     accelerations = _gap(a.acceleration, b.acceleration).max(axis=1)
     relative = np.divide(accelerations, size, out=np.zeros_like(size), where=size > 0.0)
-    return Parity(
+    return AnswerDifference(
         a.key,
         b.key,
         float(gap[state, joint]),

@@ -1,8 +1,8 @@
-"""`ur5check.compare_engines`: do all engines mean the same robot?
+"""`ur5check.compare_engines`: engine agreement for one arm.
 
-Every engine is given the same arm, by its own reader, and asked the same questions at the same
-states.  Where one has read it otherwise (its known known issues say how) it is given the arm again
-with the fixes for those known issues, and asked again.
+Every engine reads the same arm by its own parser, and its answers are compared at the same states.
+An engine that imports another arm (its known issues say why) reads it a second time with the
+repairs for those known issues.
 """
 
 from __future__ import annotations
@@ -19,43 +19,47 @@ from ..._io.loading import ArmSource, load
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States, random_states
 from ..._robot.transforms import Array
+from ..._rules.finding import Finding
 from ..known_issues import repaired
-from ..registry import REGISTRY, engine_class, installed
-from .agreement_matrix import Matrix, matrix_of
-from .engine_reading import Reading, asked, read_by
+from ..registry import REFERENCE, REGISTRY, engine_class, installed
+from .agreement_matrix import AgreementMatrix, matrix_of
+from .engine_findings import engine_findings
+from .engine_reading import Reading, read_by, with_answers
 from .worst_import_state import join_states, worst_state
 
 __all__ = ["SAME_ROBOT", "SAMPLES", "EngineReport", "Stage", "compare_engines", "engine_keys"]
 
-#: Engines that agree within this hold the same robot [N m].  Rounding alone parts them by 1e-13 on
+#: Engines that agree within this have imported the same robot [N m].  Rounding alone makes 1e-13 on
 #: an arm of a few hundred newton metres, and no decimal in a file makes a difference this small.
 SAME_ROBOT = 1e-10
-#: States enough to see any difference: each is a different mixture of all parameters.
+#: Enough states to see any difference: each weights all parameters differently.
 SAMPLES = 200
 
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """All engines with one text each: as read, or with their fixes.
+    """All engines with one text each: as read, or repaired.
 
-    readings : one an engine, our own first;  matrix : of those that took the model
+    readings : one per engine, the reference first;  matrix : of those that read the model
     """
 
     readings: tuple[Reading, ...]
-    matrix: Matrix
+    matrix: AgreementMatrix
 
     @property
     def refusals(self) -> tuple[Reading, ...]:
-        """Engines that would not take the model."""
+        """Engines that refused the model."""
         return tuple(reading for reading in self.readings if reading.refused is not None)
 
     @property
     def unexplained(self) -> tuple[Reading, ...]:
-        """Engines that do not compute what they hold."""
-        return tuple(r for r in self.readings if r.belief is not None and not r.belief.explained)
+        """Engines whose torques are not those of the imported arm."""
+        return tuple(
+            r for r in self.readings if r.explanation is not None and not r.explanation.explained
+        )
 
     def agrees(self, limit: float = SAME_ROBOT) -> bool:
-        """Whether every engine took the model and no torque of any pair differs by more [N m]."""
+        """Whether every engine read the model and no torque of any pair differs by more [N m]."""
         return not self.refusals and self.matrix.worst <= limit
 
     def reading(self, key: str) -> Reading:
@@ -65,14 +69,14 @@ class Stage:
 
 @dataclass(frozen=True, eq=False)
 class EngineReport:
-    """What `compare_engines` found.
+    """The result of `compare_engines`.
 
-    gravity : told to all engines, in the arm's base frame [m/s²]
-    states : `samples` drawn from `seed`, and behind them the worst state of each engine that holds
-        another arm
+    gravity : used by all engines, in the arm's base frame [m/s²]
+    states : `samples` drawn from `seed`, then the worst state of each engine that imported another
+        arm
     as_read : every engine with the model as it is
-    repaired : with the fixes for its known issues; None where none was wanted
-    absent : keys of engines that are known and not installed
+    repaired : with the repairs for its known issues; None where none was needed
+    absent : keys of engines that are not installed
     """
 
     arm: SerialArm
@@ -86,17 +90,24 @@ class EngineReport:
 
     @property
     def final(self) -> Stage:
-        """The stage with fixes, if there is one."""
+        """The repaired stage, if there is one."""
         return self.as_read if self.repaired is None else self.repaired
 
     def stages(self) -> list[tuple[Literal["as read", "repaired"], Stage]]:
-        """Those there are, by name."""
+        """The stages with their names."""
         both: list[tuple[Literal["as read", "repaired"], Stage]] = [("as read", self.as_read)]
         return both if self.repaired is None else [*both, ("repaired", self.repaired)]
 
     @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What is wrong between the file as it is and the engines, the worst first."""
+        return engine_findings(
+            self.arm, (reading for reading in self.as_read.readings if reading.key != REFERENCE)
+        )
+
+    @property
     def explained(self) -> bool:
-        """Whether every engine computes what it holds: then the audit is the whole account."""
+        """Whether the imports explain all torques: then no difference is due to an algorithm."""
         return not any(stage.unexplained for _, stage in self.stages())
 
 
@@ -110,16 +121,16 @@ def compare_engines(
     repairs: bool = True,
     progress: Callable[[str], None] | None = None,
 ) -> EngineReport:
-    """Give one arm to several engines and hold what they read, and what they answer, together.
+    """Load one arm into several engines and compare what they imported and what they answer.
 
     Parameters
     ----------
-    model : a list of mistakes name, a path, a `pin.Model` or a `SerialArm` (see `load`)
-    engines : keys of `_engines.registry.REGISTRY`; all that are installed when None.  Our own
-        recursion always takes part
-    samples, seed : how many random states, drawn from which seed (see `random_states`)
-    gravity : told to all, in the arm's base frame, shape (3,) [m/s²]; the arm's own when None
-    fixes : whether engines that hold another arm are asked again with their known issues' fixes
+    model : a shipped model's name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    engines : their keys (`ur5check engines` lists them); all that are installed when None.  The
+        hand-written recursion always takes part
+    samples, seed : number of random states, and the seed (see `random_states`)
+    gravity : for all engines, in the arm's base frame, shape (3,) [m/s²]; the arm's own when None
+    repairs : whether engines that imported another arm read it again with their repairs
     progress : called with a line before each longer step
 
     Raises
@@ -142,11 +153,11 @@ def compare_engines(
         if reading.imported is not None and reading.imported.harmful
     ]
     states = join_states(drawn, *worst)
-    say(f"asking them at {len(states):,} states")
+    say(f"comparing them at {len(states):,} states")
     as_read = _stage(readings, states, arm, g)
     repaired = None
     if repairs and any(r.harmful or r.refused for r in as_read.readings):
-        say("asking again with the fixes")
+        say("comparing again with the repairs")
         repaired = _stage([_repaired(r, arm, g) for r in as_read.readings], states, arm, g)
     here = installed()
     absent = tuple(key for key in REGISTRY if key not in here)
@@ -154,7 +165,7 @@ def compare_engines(
 
 
 def engine_keys(named: Sequence[str] | None) -> tuple[str, ...]:
-    """Our own side, then those named (all that are installed when None), each once.
+    """The reference, then those named (all that are installed when None), each once.
 
     Raises UsageError for an unknown key, EngineError for an engine that is not installed.
     """
@@ -162,17 +173,17 @@ def engine_keys(named: Sequence[str] | None) -> tuple[str, ...]:
         return installed()
     for key in named:
         engine_class(key)
-    return tuple(key for key in REGISTRY if key == "own" or key in named)
+    return tuple(key for key in REGISTRY if key == REFERENCE or key in named)
 
 
 def _stage(readings: Sequence[Reading], states: States, arm: SerialArm, gravity: Array) -> Stage:
     tau = rnea(arm, states.q, states.qd, states.qdd, gravity)
-    answered = tuple(asked(reading, states, tau, gravity) for reading in readings)
+    answered = tuple(with_answers(reading, states, tau, gravity) for reading in readings)
     return Stage(answered, matrix_of([r.answers for r in answered if r.answers is not None]))
 
 
 def _repaired(reading: Reading, arm: SerialArm, gravity: Array) -> Reading:
-    """The engine with the fixes for its known issues, if it needs them and has any."""
+    """The engine with the repairs for its known issues, if it needs them and has any."""
     given = repaired(arm, reading.key)
     if given is arm or not (reading.harmful or reading.refused):
         return reading

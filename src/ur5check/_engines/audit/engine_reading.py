@@ -1,4 +1,4 @@
-"""One engine with one text: made, audited, asked."""
+"""One engine with one text: created, its import audited, its answers computed."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..engine import Engine
 from ..registry import REGISTRY, engine_class, make_engine
-from .engine_answers import Answers, ask
-from .import_audit import Import, audit, priced
-from .import_explanation import Belief, belief_of
+from .engine_answers import Answers, answers_of
+from .import_audit import ImportAudit, audit, with_torque_effects
+from .import_explanation import ImportExplanation, explain_import
 
-__all__ = ["Reading", "asked", "read_by"]
+__all__ = ["Reading", "read_by", "with_answers"]
 
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """What came of giving an arm to an engine.
+    """The result of loading an arm into an engine.
 
-    engine : holding the arm;  imported : what it holds, against the arm as it is written
-    answers : to the questions;  belief : whether they are those of the arm that it holds
-    refused : why the engine would not take the arm; all else is None then
+    engine : with the arm loaded;  imported : the audit of its import against the arm as written
+    answers : its answers;  explanation : whether they are those of the imported arm
+    refused : the engine's reason for refusing the arm; all else is None then
     """
 
     key: str
     engine: Engine | None = None
-    imported: Import | None = None
+    imported: ImportAudit | None = None
     answers: Answers | None = None
-    belief: Belief | None = None
+    explanation: ImportExplanation | None = None
     refused: str | None = None
 
     @property
@@ -45,28 +45,28 @@ class Reading:
 
     @property
     def route(self) -> str:
-        """How the arm reached the engine."""
+        """By which route the arm reached the engine."""
         return self.engine.route if self.engine else ""
 
     @property
-    def said(self) -> tuple[str, ...]:
-        """Warnings of the engine's own while it read."""
-        return self.imported.imported_model.said if self.imported else ()
+    def warnings(self) -> tuple[str, ...]:
+        """The engine's own warnings, captured while it read."""
+        return self.imported.imported_model.warnings if self.imported else ()
 
     @property
     def harmful(self) -> bool:
-        """Whether the engine holds another arm, as far as torque can tell."""
+        """Whether the engine's torques are those of another arm."""
         return bool(self.imported and self.imported.harmful) or bool(
-            self.belief and self.belief.follows
+            self.explanation and self.explanation.follows
         )
 
 
 def read_by(key: str, given: SerialArm, arm: SerialArm, gravity: Array) -> Reading:
-    """Give an engine `given` (the arm, or the arm with fixes), and audit it against `arm`.
+    """Load `given` (the arm, or the repaired arm) into an engine, and audit it against `arm`.
 
-    gravity : told to the engine, in the arm's base frame [m/s²]
+    gravity : in the arm's base frame [m/s²]
 
-    Raises EngineError if the engine is not installed; one that refuses the model is a finding.
+    Raises EngineError if the engine is not installed; a refusal is part of the result.
     """
     engine_class(key)
     try:
@@ -77,14 +77,14 @@ def read_by(key: str, given: SerialArm, arm: SerialArm, gravity: Array) -> Readi
     return Reading(key, engine, imported)
 
 
-def asked(reading: Reading, states: States, tau: Array, gravity: Array) -> Reading:
-    """The same with the engine's answers, each difference's cost, and whether it is believed."""
+def with_answers(reading: Reading, states: States, tau: Array, gravity: Array) -> Reading:
+    """The same with the engine's answers, torque effects, and the explanation of the answers."""
     if reading.engine is None or reading.imported is None:
         return reading
-    answers = ask(reading.key, reading.engine, states, tau)
+    answers = answers_of(reading.key, reading.engine, states, tau)
     return replace(
         reading,
-        imported=priced(reading.imported, states),
+        imported=with_torque_effects(reading.imported, states),
         answers=answers,
-        belief=belief_of(reading.imported, answers.torque, states, gravity),
+        explanation=explain_import(reading.imported, answers.torque, states, gravity),
     )

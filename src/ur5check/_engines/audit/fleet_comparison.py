@@ -1,4 +1,4 @@
-"""The same question for every serial arm of example-robot-data."""
+"""Engine agreement for every serial arm of example-robot-data."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from ..._io.example_robots import FLEET, FleetArm
-from .engine_comparison import EngineReport, compare_engines
+from .engine_comparison import EngineReport, Stage, compare_engines
 
 __all__ = ["FLEET_SAMPLES", "FleetReport", "compare_fleet"]
 
@@ -16,7 +16,10 @@ FLEET_SAMPLES = 20
 
 @dataclass(frozen=True, eq=False)
 class FleetReport:
-    """One report an arm; samples, seed : of each of them."""
+    """One report per arm; samples, seed : of each of them.
+
+    An arm that an engine refuses counts as refused, never as agreement.
+    """
 
     reports: tuple[EngineReport, ...]
     samples: int
@@ -24,8 +27,27 @@ class FleetReport:
 
     def worst(self, *, as_read: bool) -> float:
         """The largest |Δτ| of any two engines on any arm [N m]."""
-        stages = [report.as_read if as_read else report.final for report in self.reports]
-        return max(stage.matrix.worst for stage in stages)
+        return max(stage.matrix.worst for stage in self.stages(as_read=as_read))
+
+    def stages(self, *, as_read: bool) -> tuple[Stage, ...]:
+        """One stage per arm: as read, or repaired where there are repairs."""
+        return tuple(report.as_read if as_read else report.final for report in self.reports)
+
+    def agreeing(self, limit: float, *, as_read: bool) -> int:
+        """Number of arms that every engine reads and on which all agree within `limit` [N m]."""
+        return sum(stage.agrees(limit) for stage in self.stages(as_read=as_read))
+
+    def differing(self, limit: float, *, as_read: bool) -> int:
+        """Number of arms on which two engines differ by more than `limit` [N m]."""
+        return sum(stage.matrix.worst > limit for stage in self.stages(as_read=as_read))
+
+    def refused(self, *, as_read: bool) -> int:
+        """Number of arms that at least one engine refuses."""
+        return sum(bool(stage.refusals) for stage in self.stages(as_read=as_read))
+
+    def agrees(self, limit: float, *, as_read: bool) -> bool:
+        """Whether every engine reads every arm and all agree within `limit` [N m]."""
+        return self.agreeing(limit, as_read=as_read) == len(self.reports)
 
 
 def compare_fleet(

@@ -1,8 +1,8 @@
-"""The import audit: what an engine believes after reading, against our strict reading of the same.
+"""The import audit: the model that an engine imported against the strict reading of the same text.
 
-Torque is linear in π, so each difference of an inertia has its own newton metres, |Y Δπ|, and
-together they are the whole: if the engine computes what our recursion computes of the arm that it
-*believes* in, its import explains all that it says otherwise.
+Torque is linear in π, so each difference of an inertia has its own torque effect, |Y Δπ|, and
+together they are the whole: if the engine's torques are those of the recursion for the *imported*
+arm, the import explains every difference.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from .import_difference import Bearing, ImportDifference, Kind
 from .imported_bodies import body_differences
 from .imported_joints import frame_differences, joint_differences
 
-__all__ = ["Import", "audit", "priced"]
+__all__ = ["ImportAudit", "audit", "with_torque_effects"]
 
 
 @dataclass(frozen=True, eq=False)
-class Import:
-    """What came of an engine's reading.
+class ImportAudit:
+    """The result of the audit of one engine.
 
-    believed : the arm as the engine has it
-    differences : from the arm as it is written, those that bear on torque first
+    arm : as it is written;  imported_arm : as the engine has it
+    differences : between the two, those that affect torques first
     """
 
     arm: SerialArm
@@ -42,11 +42,11 @@ class Import:
 
     @property
     def harmful(self) -> tuple[ImportDifference, ...]:
-        """Those that bear on torque."""
+        """Those that affect torques."""
         return self.bearing_on("torque")
 
     def bearing_on(self, what: Bearing) -> tuple[ImportDifference, ...]:
-        """Those that bear on torque, on use, or on nothing."""
+        """Those that affect torques, use, or nothing."""
         return tuple(found for found in self.differences if found.bears_on == what)
 
     @cached_property
@@ -56,14 +56,14 @@ class Import:
 
     @property
     def added_mass(self) -> float:
-        """What the engine's arm weighs more than the file's [kg]."""
+        """Mass of the engine's arm in excess of the file's [kg]."""
         return sum(found.mass for found in self.differences)
 
 
-def audit(imported_model: ImportedModel, arm: SerialArm, key: str = "") -> Import:
-    """Name every difference between what an engine holds and what the arm's source says.
+def audit(imported_model: ImportedModel, arm: SerialArm, key: str = "") -> ImportAudit:
+    """Name every difference between an imported model and the arm's source.
 
-    key : the engine's, whose known known issues explain what they can
+    key : the engine's; its known issues are attached to the differences that they explain
     """
     found = [
         *body_differences(imported_model, arm),
@@ -71,11 +71,11 @@ def audit(imported_model: ImportedModel, arm: SerialArm, key: str = "") -> Impor
         *frame_differences(imported_model, arm),
     ]
     named = tuple(replace(one, known_issue=known_issue_for(key, one.kind)) for one in found)
-    return Import(arm, imported_model, imported_arm(imported_model, arm), named)
+    return ImportAudit(arm, imported_model, imported_arm(imported_model, arm), named)
 
 
-def priced(imported: Import, states: States) -> Import:
-    """The same with each difference's newton metres at these states, the dearest first."""
+def with_torque_effects(imported: ImportAudit, states: States) -> ImportAudit:
+    """The same with each difference's torque effect at these states, the largest first."""
     arm, imported_model = imported.arm, imported.imported_model
     if not imported.differences:
         return imported
@@ -83,14 +83,14 @@ def priced(imported: Import, states: States) -> Import:
     Y = torque_regressor(arm, states.q, states.qd, states.qdd) if inertial else np.empty(0)
     order: tuple[Bearing, ...] = ("torque", "use", "nothing")
     valued = [
-        replace(one, cost=_cost(one, imported_model, arm, states, Y))
+        replace(one, torque_effect=_torque_effect(one, imported_model, arm, states, Y))
         for one in imported.differences
     ]
-    valued.sort(key=lambda one: (order.index(one.bears_on), -(one.cost or 0.0)))
+    valued.sort(key=lambda one: (order.index(one.bears_on), -(one.torque_effect or 0.0)))
     return replace(imported, differences=tuple(valued))
 
 
-def _cost(
+def _torque_effect(
     one: ImportDifference, imported_model: ImportedModel, arm: SerialArm, states: States, Y: Array
 ) -> float | None:
     if one.parameters is not None:
@@ -100,7 +100,7 @@ def _cost(
         gap = motors[arm.joint_names[one.joint]] - arm.joints[one.joint].armature
         return float(np.abs(gap * states.qdd[:, one.joint]).max())
     if one.kind == "gravity":
-        # g(q) is linear in gravity: the torque of the gap is the gap between the torques.
+        # g(q) is linear in gravity.
         return float(
             np.abs(gravity_torque(arm, states.q, imported_model.gravity - arm.gravity)).max()
         )

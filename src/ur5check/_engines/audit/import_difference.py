@@ -1,9 +1,9 @@
-"""One thing that an engine holds otherwise than the file says it, and what that bears on.
+"""One difference between the model that an engine imported and the file, and what it affects.
 
-bears on   means
+affects    meaning
 torque     the engine's torques are those of another arm
-use        whoever drives the engine by hand must know: joint order, limits, damping, tool …
-nothing    another way to keep the same arm
+use        whoever calls the engine directly must know: joint order, limits, damping, tool …
+nothing    another representation of the same arm
 """
 
 from __future__ import annotations
@@ -29,29 +29,29 @@ Kind = Literal[
     "body-merged", "base-kept", "base-ignored", "coordinates",
 ]  # fmt: skip
 
-#: What each kind bears on, and what it means.
+#: What each kind affects, and what it means.
 KINDS: dict[Kind, tuple[Bearing, str]] = {
-    "default-inertia": ("torque", "a link without `<inertial>` is given one"),
-    "shape-mass": ("torque", "a link without `<inertial>` is weighed by its shape"),
+    "default-inertia": ("torque", "a link without `<inertial>` gets a default one"),
+    "shape-mass": ("torque", "a link without `<inertial>` gets the mass of its shape"),
     "rotation-dropped": ("torque", "the rpy of `<inertial><origin>` is left out"),
     "body-lost": ("torque", "a link's inertia is lost"),
-    "mass-changed": ("torque", "a mass is another"),
-    "com-moved": ("torque", "a centre of mass lies elsewhere"),
-    "tensor-changed": ("torque", "a tensor is another: balanced, bounded, misread"),
-    "armature": ("torque", "a joint's motor inertia is another"),
-    "axis": ("torque", "a joint turns about another axis"),
-    "gravity": ("use", "gravity is another unless it is told"),
+    "mass-changed": ("torque", "a mass is different"),
+    "com-moved": ("torque", "a centre of mass is different"),
+    "tensor-changed": ("torque", "an inertia tensor is different: balanced, bounded, misread"),
+    "armature": ("torque", "a joint's motor inertia is different"),
+    "axis": ("torque", "a joint's axis is different"),
+    "gravity": ("use", "the default gravity is different"),
     "order": ("use", "joints come in another order"),
-    "position-limit": ("use", "position limits are others, or lost"),
-    "velocity-limit": ("use", "a velocity limit is another, or lost"),
-    "effort-limit": ("use", "an effort limit is another, or lost"),
-    "damping": ("use", "a joint's damping is another, or lost"),
-    "friction": ("use", "a joint's friction is another, or lost"),
-    "tool": ("use", "the tool frame stands elsewhere"),
+    "position-limit": ("use", "position limits are different, or lost"),
+    "velocity-limit": ("use", "a velocity limit is different, or lost"),
+    "effort-limit": ("use", "an effort limit is different, or lost"),
+    "damping": ("use", "a joint's damping is different, or lost"),
+    "friction": ("use", "a joint's friction is different, or lost"),
+    "tool": ("use", "the tool frame is elsewhere"),
     "body-merged": ("nothing", "links fixed to each other are kept as one body"),
-    "base-kept": ("nothing", "the inertia of what stands is kept"),
-    "base-ignored": ("nothing", "the inertia of what stands is left out"),
-    "coordinates": ("nothing", "a joint takes more than one position coordinate"),
+    "base-kept": ("nothing", "the inertia of the fixed base is kept"),
+    "base-ignored": ("nothing", "the inertia of the fixed base is left out"),
+    "coordinates": ("nothing", "a joint has more than one position coordinate"),
 }
 assert set(KINDS) == set(get_args(Kind))  # noqa: S101 - about this file alone
 
@@ -61,31 +61,35 @@ class ImportDifference:
     """A difference, named.
 
     where : "link 'tool0'", "joint 'elbow_joint'"; empty for the whole arm
-    written, held : what the file says and what the engine has, in words
+    written, imported : what the file says and what the engine has, in words
     joint : index of the joint that it is about, or that carries it; None for the whole arm
     parameters : what it adds to π, shape (10 n,); None where it is no inertia's
-    cost : the largest |Δτ| that it alone makes at the states asked about [N m]; None where it
+    value, bound : of the engine and of the file, in `unit`, where the difference is one number
+    torque_effect : the largest |Δτ| that it alone makes at the compared states [N m]; None where it
         makes none
-    known issue : the engine's known known issue that explains it, with its fix
+    known_issue : the engine's known issue that explains it, with its fix
     """
 
     kind: Kind
     where: str
     written: str
-    held: str
+    imported: str
     joint: int | None = None
     parameters: Array | None = field(default=None, repr=False)
-    cost: float | None = None
+    value: float | None = None
+    bound: float | None = None
+    unit: str = ""
+    torque_effect: float | None = None
     known_issue: KnownIssue | None = None
 
     @property
     def bears_on(self) -> Bearing:
-        """What a difference of this kind bears on."""
+        """What a difference of this kind affects."""
         return KINDS[self.kind][0]
 
     @property
     def harmful(self) -> bool:
-        """Whether it bears on torque."""
+        """Whether it changes torques."""
         return self.bears_on == "torque"
 
     @property

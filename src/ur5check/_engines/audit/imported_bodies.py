@@ -1,16 +1,17 @@
-"""The inertias that an engine holds, against those that the file writes: which link, what of it.
+"""The inertias that an engine imported against those of the file: which link, and what of it.
 
-Engines keep links apart or merge those that are fixed to each other.  A *part* is the least that
-can be held side by side: bodies of the engine, and the links of the file that they stand for.
-Where a part's ten parameters differ, known misreadings of its links are tried, alone, all of one
-kind, and in pairs; the fewest that account for the difference to rounding are its names.  What no
-known misreading accounts for is told as mass, centre and tensor.  Δπ is shared out whole.
+Engines keep links apart or merge those that are fixed to each other.  A *part* is the smallest
+unit of comparison: bodies of the engine, and the links of the file that they stand for.  Where a
+part's ten parameters differ, known misreadings of its links are tried, alone, all of one kind, and
+in pairs; the fewest that account for the difference to rounding name it.  A difference that no
+known misreading accounts for is split into mass, centre of mass and tensor.  Δπ is attributed
+without residual.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -32,10 +33,10 @@ _Choice = tuple[tuple[WrittenBody, Misreading], ...]
 
 @dataclass(frozen=True, eq=False)
 class _Part:
-    """Links of the file (the first gives the part its name) and what the engine has for them."""
+    """Links of the file (the first names the part) and the engine's parameters for them."""
 
     written: tuple[WrittenBody, ...]
-    held: Array  # (10,) in frame i
+    imported: Array  # (10,) in frame i
 
 
 def body_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
@@ -43,10 +44,10 @@ def body_differences(imported_model: ImportedModel, arm: SerialArm) -> list[Impo
     found: list[ImportDifference] = []
     merged: list[str] = []
     written = written_arm(arm).bodies
-    for i, held in enumerate(_held_by_joint(imported_model, arm)):
+    for i, bodies in enumerate(_bodies_by_joint(imported_model, arm)):
         group = [body for body in written if body.carried_by == i]
-        for part in _parts(group, held):
-            tolerance = parameter_rounding(arm, part.held, _total(part.written))
+        for part in _parts(group, bodies):
+            tolerance = parameter_rounding(arm, part.imported, _total(part.written))
             found += _differences(part, arm.n, i, tolerance)
             heavy = [body.name for body in part.written if body.parameters[0] > 0.0]
             merged += heavy[1:]
@@ -56,8 +57,8 @@ def body_differences(imported_model: ImportedModel, arm: SerialArm) -> list[Impo
     return found
 
 
-def _held_by_joint(imported_model: ImportedModel, arm: SerialArm) -> list[dict[str, Array]]:
-    """Per joint, the engine's bodies by name, in frame i.  What has no mass is no body."""
+def _bodies_by_joint(imported_model: ImportedModel, arm: SerialArm) -> list[dict[str, Array]]:
+    """Per joint, the engine's bodies by name, in frame i, without the massless ones."""
     frames = link_frames(arm, np.zeros(arm.n))
     groups: list[dict[str, Array]] = [{} for _ in range(arm.n)]
     for body in imported_model.bodies:
@@ -69,44 +70,46 @@ def _held_by_joint(imported_model: ImportedModel, arm: SerialArm) -> list[dict[s
     return groups
 
 
-def _parts(group: Sequence[WrittenBody], held: dict[str, Array]) -> list[_Part]:
-    """A part for every link that the engine has by name; all others count to the nearest above."""
-    named = [body.name for body in group if body.name in held]
+def _parts(group: Sequence[WrittenBody], bodies: dict[str, Array]) -> list[_Part]:
+    """A part per link that the engine has by name; all others belong to the nearest above."""
+    named = [body.name for body in group if body.name in bodies]
     if not named:
-        return [_Part(tuple(group), _sum(list(held.values())))]
+        return [_Part(tuple(group), _sum(list(bodies.values())))]
     links: dict[str, list[WrittenBody]] = {name: [] for name in named}
     for body in group:
         ways = (body.name, *body.above)
         links[next((name for name in ways if name in links), named[0])].append(body)
-    nameless = _sum([value for name, value in held.items() if name not in links])
+    nameless = _sum([value for name, value in bodies.items() if name not in links])
     return [
         _Part(
             tuple(sorted(links[name], key=lambda body: body.name != name)),
-            held[name] + (nameless if name == named[0] else 0.0),
+            bodies[name] + (nameless if name == named[0] else 0.0),
         )
         for name in named
     ]
 
 
 def _differences(part: _Part, n: int, i: int, tolerance: Array) -> list[ImportDifference]:
-    delta = part.held - _total(part.written)
+    delta = part.imported - _total(part.written)
     if (np.abs(delta) <= tolerance).all():
         return []
     for choice in _choices(part.written):
         if (np.abs(delta - _effect(choice)) <= tolerance).all():
             return [
-                _named(misread.kind, body, misread.held, n, i, misread.parameters - body.parameters)
+                _named(
+                    misread.kind, body, misread.imported, n, i, misread.parameters - body.parameters
+                )
                 for body, misread in choice
             ]
     shapes = [body for body in part.written if body.has_shape and not body.has_inertial]
     if shapes and delta[0] > tolerance[0]:
-        held = f"{delta[0]:.4g} kg, from its shape"
-        return [_named("shape-mass", shapes[0], held, n, i, delta)]
+        imported = f"{delta[0]:.4g} kg, from its shape"
+        return [_named("shape-mass", shapes[0], imported, n, i, delta)]
     return _number_by_number(part, n, i, tolerance)
 
 
 def _choices(bodies: Sequence[WrittenBody]) -> Iterator[_Choice]:
-    """What may have happened, the simplest first."""
+    """The misreadings that may have happened, the simplest first."""
     single = [(body, misread) for body in bodies for misread in body.misreadings]
     for one in single:
         yield (one,)
@@ -124,35 +127,47 @@ def _effect(choice: _Choice) -> Array:
 
 
 def _named(
-    kind: Kind, body: WrittenBody, held: str, n: int, i: int, delta: Array
+    kind: Kind, body: WrittenBody, imported: str, n: int, i: int, delta: Array
 ) -> ImportDifference:
     written = f"{body.parameters[0]:.4g} kg" if body.has_inertial else "no <inertial>"
     if kind == "rotation-dropped":
-        written = "its tensor along axes turned by rpy"
-    return ImportDifference(kind, f"link {body.name!r}", written, held, i, _at_link(delta, n, i))
+        written = "its tensor along axes rotated by rpy"
+    difference = ImportDifference(
+        kind, f"link {body.name!r}", written, imported, i, _at_link(delta, n, i)
+    )
+    if kind == "rotation-dropped":
+        return difference
+    mass = float(body.parameters[0])
+    return replace(difference, value=mass + float(delta[0]), bound=mass, unit="kg")
 
 
 def _number_by_number(part: _Part, n: int, i: int, tolerance: Array) -> list[ImportDifference]:
     """Mass, centre of mass and tensor, each with its share of Δπ (`_comparison.shapley`)."""
-    if part.held[0] <= 0.0 or _total(part.written)[0] <= 0.0:
-        delta = part.held - _total(part.written)
-        return [_named("mass-changed", part.written[0], f"{part.held[0]:.4g} kg", n, i, delta)]
-    held, written = map(Inertia.from_parameters, (part.held, _total(part.written)))
+    if part.imported[0] <= 0.0 or _total(part.written)[0] <= 0.0:
+        delta = part.imported - _total(part.written)
+        return [_named("mass-changed", part.written[0], f"{part.imported[0]:.4g} kg", n, i, delta)]
+    imported, written = map(Inertia.from_parameters, (part.imported, _total(part.written)))
 
     def parameters(choice: tuple[bool, ...]) -> Array:
-        m, c, I_c = (held if engine else written for engine in choice)
+        m, c, I_c = (imported if engine else written for engine in choice)
         return Inertia(m.mass, c.com, I_c.tensor).parameters()
 
-    said: list[tuple[Kind, str, str]] = [
-        ("mass-changed", f"{written.mass:.6g} kg", f"{held.mass:.6g} kg"),
-        ("com-moved", f"{_list(written.com)} m", f"{_list(held.com)} m"),
-        ("tensor-changed", f"{_moments(written)} kg m²", f"{_moments(held)} kg m²"),
+    texts: list[tuple[Kind, str, str]] = [
+        ("mass-changed", f"{written.mass:.6g} kg", f"{imported.mass:.6g} kg"),
+        ("com-moved", f"{_list(written.com)} m", f"{_list(imported.com)} m"),
+        ("tensor-changed", f"{_moments(written)} kg m²", f"{_moments(imported)} kg m²"),
     ]
     where = f"link {part.written[0].name!r}"
-    return [
+    found = [
         ImportDifference(kind, where, before, after, i, _at_link(delta, n, i))
-        for (kind, before, after), delta in zip(said, shares(parameters, 3), strict=True)
+        for (kind, before, after), delta in zip(texts, shares(parameters, 3), strict=True)
         if (np.abs(delta) > tolerance).any()
+    ]
+    return [
+        replace(one, value=imported.mass, bound=written.mass, unit="kg")
+        if one.kind == "mass-changed"
+        else one
+        for one in found
     ]
 
 

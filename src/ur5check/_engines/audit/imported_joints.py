@@ -1,6 +1,8 @@
-"""The joints, tool, base and gravity that an engine holds, against the file's."""
+"""The joints, tool, base and gravity that an engine imported against those of the file."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,9 +15,18 @@ from .written_bodies import written_arm
 
 __all__ = ["frame_differences", "joint_differences"]
 
-#: Writers put the largest double where a file must name a limit and nobody knows one; zero for a
+#: Writers put the largest double where a file must name a limit and none is known; zero for a
 #: velocity or an effort means the same, since it would forbid all motion.
 _NO_LIMIT = 1e100
+
+#: Units of the numbers of a joint: revolute, prismatic.
+_UNITS: dict[Kind, tuple[str, str]] = {
+    "armature": ("kg m²", "kg"),
+    "velocity-limit": ("rad/s", "m/s"),
+    "effort-limit": ("N m", "N"),
+    "damping": ("N m s/rad", "N s/m"),
+    "friction": ("N m", "N"),
+}
 
 
 def joint_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
@@ -24,37 +35,41 @@ def joint_differences(imported_model: ImportedModel, arm: SerialArm) -> list[Imp
     found = []
     if names != arm.joint_names:
         found.append(ImportDifference("order", "", ", ".join(arm.joint_names), ", ".join(names)))
-    held = {joint.name: joint for joint in imported_model.joints}
+    by_name = {joint.name: joint for joint in imported_model.joints}
     for i, written in enumerate(strict_imported_model(arm).joints):
-        if written.name in held:
-            found += _of_joint(written, held[written.name], arm, i)
+        if written.name in by_name:
+            found += _of_joint(written, by_name[written.name], arm, i)
     return found
 
 
-def _of_joint(written: Joint, held: Joint, arm: SerialArm, i: int) -> list[ImportDifference]:
+def _of_joint(written: Joint, imported: Joint, arm: SerialArm, i: int) -> list[ImportDifference]:
     where = f"joint {written.name!r}"
     found = []
-    if np.abs(written.axis - held.axis).max() > pose_rounding(arm):
-        words = (_list(written.axis), _list(held.axis))
+    if np.abs(written.axis - imported.axis).max() > pose_rounding(arm):
+        words = (_list(written.axis), _list(imported.axis))
         found.append(ImportDifference("axis", where, *words, i))
-    for kind, before, after in _numbers(written, held):
+    for kind, before, after in _numbers(written, imported):
         if not all(same_number(a, b) for a, b in zip(before, after, strict=True)):
             words = (_shown(before), _shown(after))
-            found.append(ImportDifference(kind, where, *words, i))
+            one = ImportDifference(kind, where, *words, i)
+            if len(before) == 1:
+                unit = _UNITS[kind][written.kind == "prismatic"]
+                one = replace(one, value=after[0], bound=before[0], unit=unit)
+            found.append(one)
     return found
 
 
 def _numbers(
-    written: Joint, held: Joint
+    written: Joint, imported: Joint
 ) -> list[tuple[Kind, tuple[float | None, ...], tuple[float | None, ...]]]:
-    a, b = written.limits, held.limits
+    a, b = written.limits, imported.limits
     return [
-        ("armature", (written.armature,), (held.armature,)),
+        ("armature", (written.armature,), (imported.armature,)),
         ("position-limit", _known(a.lower, a.upper), _known(b.lower, b.upper)),
         ("velocity-limit", _known(a.velocity or None), _known(b.velocity or None)),
         ("effort-limit", (a.known_effort,), (b.known_effort,)),
-        ("damping", (written.damping,), (held.damping,)),
-        ("friction", (written.friction,), (held.friction,)),
+        ("damping", (written.damping,), (imported.damping,)),
+        ("friction", (written.friction,), (imported.friction,)),
     ]
 
 
@@ -72,13 +87,13 @@ def frame_differences(imported_model: ImportedModel, arm: SerialArm) -> list[Imp
     if imported_model.coordinates != arm.n:
         words = (f"{arm.n} joints", f"{imported_model.coordinates} position coordinates")
         found.append(ImportDifference("coordinates", "", *words))
-    standing = written_arm(arm).standing
-    if standing:
+    on_base = written_arm(arm).on_base
+    if on_base:
         kept = any(body.carried_by is None and body.inertia.mass for body in imported_model.bodies)
-        held = "kept" if kept else "left out"
+        outcome = "kept" if kept else "left out"
         kind: Kind = "base-kept" if kept else "base-ignored"
-        names = ", ".join(map(repr, standing))
-        found.append(ImportDifference(kind, "", names, held))
+        names = ", ".join(map(repr, on_base))
+        found.append(ImportDifference(kind, "", names, outcome))
     return found
 
 

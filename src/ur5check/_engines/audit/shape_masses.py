@@ -1,6 +1,6 @@
-"""What a link weighs to an engine that takes its shape for its body.
+"""The inertia of a link for an engine that derives it from the link's shape.
 
-Boxes, cylinders and spheres of 1000 kg/m³, MuJoCo's default density.  A mesh is not opened: what
+Boxes, cylinders and spheres of 1000 kg/m³, MuJoCo's default density.  Meshes are not read: what
 an engine makes of one depends on the mesh's file, and is named without its number.
 """
 
@@ -24,8 +24,8 @@ DENSITY = 1000.0  # [kg/m³]
 
 
 def inertia_of_shapes(link: _Element) -> Inertia | None:
-    """The body that a link's collision shapes make, in the link's frame; None without a shape
-    whose volume is written."""
+    """The inertia of a link's collision shapes, in the link's frame; None without a shape of known
+    volume."""
     bodies = [_body(shape) for shape in link.iterchildren("collision")]
     known = [body for body in bodies if body is not None]
     return reduce(add, known) if known else None

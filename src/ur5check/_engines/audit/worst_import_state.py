@@ -1,4 +1,4 @@
-"""The worst state between the arm that is written and the one that an engine believes in."""
+"""The state where the arm as written and the arm as imported differ most."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..._robot.states import States
 
 __all__ = ["join_states", "worst_state"]
 
-# A parity table needs a bad state, not proof of the worst: fewer climbs than `diff` makes.
+# The comparison needs a bad state, not proof of the worst: fewer ascents than `diff` makes.
 _STARTS, _RANDOM = 3, 3_000
 
 

@@ -1,8 +1,8 @@
-"""What the file writes of every link that a joint carries, and what a careless reader makes of it.
+"""The inertia of every link that a joint carries as the file has it, and its known misreadings.
 
-Our arm holds one inertia a joint.  To name what an engine did to a link, the links are needed one
-by one, with the readings that go wrong: the rotation of the `<inertial>` left out, the body left
-out, a body made up where none was written.
+A `SerialArm` has one inertia per joint.  To name what an engine did to a link, the links are needed
+one by one, with the known misreadings: the rotation of the `<inertial>` left out, the body left
+out, a default body where none is written.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ if TYPE_CHECKING:
 
 __all__ = ["Misreading", "WrittenArm", "WrittenBody", "written_arm"]
 
-#: What is made up for a link without `<inertial>` by an engine that must have one.
+#: The default of engines that need an inertia for every link.
 UNIT_BODY = Inertia(1.0, np.zeros(3), np.eye(3))
 
 
 @dataclass(frozen=True, eq=False)
 class Misreading:
-    """A body read wrongly: `parameters` in frame i, shape (10,); `held` says it in words."""
+    """A body read wrongly: `parameters` in frame i, shape (10,); `imported` describes it."""
 
     kind: Kind
     parameters: Array
-    held: str
+    imported: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class WrittenBody:
     carried_by : index of the joint
     above : links on the way from the joint's own link to this one, nearest first
     parameters : of its `<inertial>` in frame i, shape (10,); zeros where it has none
-    has_inertial, has_shape : whether the file gives it one, and anything with an extent
+    has_inertial, has_shape : whether the file gives it an `<inertial>`, and a shape
     """
 
     name: str
@@ -61,16 +61,16 @@ class WrittenBody:
 @dataclass(frozen=True, eq=False)
 class WrittenArm:
     """bodies : every link that moves, a joint's own before those fixed to it
-    standing : names of the links with a mass that no joint of the arm carries
+    on_base : names of the links with a mass that no joint of the arm carries
     """
 
     bodies: tuple[WrittenBody, ...]
-    standing: tuple[str, ...] = ()
+    on_base: tuple[str, ...] = ()
 
 
-@lru_cache(maxsize=4)  # every engine's audit asks for the same arm
+@lru_cache(maxsize=4)  # the audits of all engines need the same arm
 def written_arm(arm: SerialArm) -> WrittenArm:
-    """What the arm's source writes, link by link."""
+    """The arm's source, link by link."""
     if arm.source.urdf is None:
         return _of_values(arm)
     from ..._io.urdf.urdf_checks import check_urdf
@@ -89,22 +89,22 @@ def written_arm(arm: SerialArm) -> WrittenArm:
             pose = reduce(
                 matmul, (robot.held_pose(step, moving) for step in way), to_link_tip_frame
             )
-            own, node = robot.inertia(links[-1]), nodes[links[-1]]
+            inertia, node = robot.inertia(links[-1]), nodes[links[-1]]
             bodies.append(
                 WrittenBody(
                     links[-1],
                     i,
                     tuple(reversed(links[:-1])),
-                    np.zeros(10) if own is None else own.expressed_in(pose).parameters(),
-                    own is not None,
+                    np.zeros(10) if inertia is None else inertia.expressed_in(pose).parameters(),
+                    inertia is not None,
                     node.find("collision") is not None or node.find("visual") is not None,
-                    tuple(_misreadings(own, node, pose)),
+                    tuple(_misreadings(inertia, node, pose)),
                 )
             )
     carried = {body.name for body in bodies}
     weights = {name: robot.inertia(name) for name in nodes if name not in carried}
-    standing = tuple(name for name, inertia in weights.items() if inertia and inertia.mass > 0.0)
-    return WrittenArm(tuple(bodies), standing)
+    on_base = tuple(name for name, inertia in weights.items() if inertia and inertia.mass > 0.0)
+    return WrittenArm(tuple(bodies), on_base)
 
 
 def _of_values(arm: SerialArm) -> WrittenArm:
@@ -118,27 +118,27 @@ def _of_values(arm: SerialArm) -> WrittenArm:
     )
 
 
-def _misreadings(own: Inertia | None, node: _Element, pose: Transform) -> list[Misreading]:
-    if own is None:
+def _misreadings(written: Inertia | None, node: _Element, pose: Transform) -> list[Misreading]:
+    if written is None:
         unit = UNIT_BODY.expressed_in(pose).parameters()
         found = [Misreading("default-inertia", unit, "1 kg and a unit tensor")]
         weighed = inertia_of_shapes(node)
         if weighed is not None:
             parameters = weighed.expressed_in(pose).parameters()
-            held = f"{weighed.mass:.4g} kg, its shape at the density of water"
-            found.append(Misreading("shape-mass", parameters, held))
+            imported = f"{weighed.mass:.4g} kg, its shape at the density of water"
+            found.append(Misreading("shape-mass", parameters, imported))
         return found
     found = [Misreading("body-lost", np.zeros(10), "nothing")]
     R = _written_rotation(node)
-    unturned = Inertia(own.mass, own.com, R.T @ own.tensor @ R)
-    if np.abs(unturned.tensor - own.tensor).max() > tensor_rounding(own.tensor):
-        parameters = unturned.expressed_in(pose).parameters()
+    unrotated = Inertia(written.mass, written.com, R.T @ written.tensor @ R)
+    if np.abs(unrotated.tensor - written.tensor).max() > tensor_rounding(written.tensor):
+        parameters = unrotated.expressed_in(pose).parameters()
         found.insert(0, Misreading("rotation-dropped", parameters, "the tensor not rotated"))
     return found
 
 
 def _written_rotation(node: _Element) -> Array:
-    """R of `<inertial><origin rpy>`: the strict reading has made sure of its three numbers."""
+    """R of `<inertial><origin rpy>`: the strict reading has checked its three numbers."""
     origin = node.find("inertial/origin")
     rpy = "0 0 0" if origin is None else origin.get("rpy", "0 0 0")
     return Transform.from_rpy(np.zeros(3), [float(angle) for angle in rpy.split()]).R

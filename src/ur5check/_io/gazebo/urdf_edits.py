@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from lxml import etree
 
-from ..._engines.urdf_repairs import NO_LIMIT
+from ..._engines.adapters.gazebo import NO_LIMIT
 from ..._robot import Transform
 from ..number_text import exact, roll_pitch_yaw, triple
 from ..urdf.urdf_chain import Chain

@@ -9,7 +9,7 @@ from hypothesis import given
 import ur5check
 from examples import UR5S, random_arm
 from ur5check import strategies as ur5
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._robot import Joint, Limits
 from ur5check._robot.states import random_states
 

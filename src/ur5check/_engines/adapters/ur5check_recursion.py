@@ -1,31 +1,34 @@
-"""The hand-written dynamics behind the same counter as the reference engines.
+"""The hand-written recursion behind the `Engine` protocol: the reference of every comparison.
 
-What can be asked of an `Engine` can be asked of our own side, so that a check, a parity table or a
-simulation takes either.  It answers three questions more, which the laws need: the two energies,
-and anything at all on complex numbers.
+Beyond the protocol it gives the two energies, and takes complex states: the laws need both.  It
+moves an arm in time by SciPy's DOP853.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._dynamics import equations, kinematics, regressor
-from .._dynamics import recursion as newton_euler
-from .._dynamics.batching import gravity_of
-from .._robot.serial_arm import SerialArm
-from .._version import __version__
-from .imported_model import ImportedModel, strict_imported_model
+from ..._dynamics import equations, kinematics, regressor
+from ..._dynamics import recursion as newton_euler
+from ..._dynamics.batching import gravity_of
+from ..._robot.serial_arm import SerialArm
+from ..._version import __version__
+from ..engine_entry import EngineEntry
+from ..imported_model import ImportedModel, strict_imported_model
 
-__all__ = ["RecursionEngine"]
+__all__ = ["ENTRY", "RecursionEngine"]
 
 Numbers = NDArray[Any]
 
+_ANY_ERROR = 1e9  # a tolerance that no step of an arm exceeds: the step stays as it is given
+
 
 class RecursionEngine:
-    """The recursion of `dynamics` on one arm; satisfies `engine.ReferenceEngine`, on complex states
-    too.
+    """The recursion of `_dynamics` on one arm: a `ReferenceEngine`, on complex states too, and a
+    `Stepper`.
 
     arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
     """
@@ -33,6 +36,7 @@ class RecursionEngine:
     name = "ur5check"
     version = __version__
     route = "SerialArm"
+    integrators: ClassVar[dict[str, int]] = {"DOP853": 8}
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
@@ -78,6 +82,28 @@ class RecursionEngine:
         """U, shape (...) [J]."""
         return equations.potential_energy(self.arm, q, self.gravity)
 
+    def step(
+        self, q: Numbers, qd: Numbers, tau: Numbers, dt: float, integrator: str | None = None
+    ) -> tuple[Numbers, Numbers]:
+        """(q, q̇) after one step of `dt` [s] by DOP853, of order 8."""
+        from scipy.integrate import DOP853
+
+        n = self.arm.n
+        accelerate = equations.acceleration_of(self.arm, self.gravity)
+
+        def rate(_: float, y: Numbers) -> Numbers:
+            return np.concatenate([y[n:], accelerate(y[:n], y[n:], tau)])
+
+        solver = DOP853(
+            rate, 0.0, np.concatenate([q, qd]), dt, first_step=dt, max_step=dt,
+            rtol=_ANY_ERROR, atol=_ANY_ERROR,
+        )  # fmt: skip
+        solver.step()
+        return np.array(solver.y[:n]), np.array(solver.y[n:])
+
     def imported_model(self) -> ImportedModel:
-        """Our own reading, in the words that engines use of theirs."""
+        """The arm itself, one body per joint."""
         return strict_imported_model(self.arm)
+
+
+ENTRY = EngineEntry(key="ur5check", title="ur5check", order=0, make=RecursionEngine)

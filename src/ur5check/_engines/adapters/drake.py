@@ -1,42 +1,38 @@
 """Drake as reference engine: `MultibodyPlant`'s inverse dynamics, mass matrix and time derivatives.
 
-The root link is welded to the world (left to itself, Drake lets it float), and the plant is
-continuous.  Damping is set to zero once it has been noted for `imported_model`.
+The root link is welded to the world (by default it floats), and the plant is
+continuous.  Damping is set to zero after its value has been recorded for `imported_model`.
 """
 
 from __future__ import annotations
 
-import logging
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from importlib import metadata
 from typing import Any
 
 import numpy as np
+from lxml import etree
 from numpy.typing import ArrayLike
-from pydrake.math import RigidTransform, RotationMatrix
-from pydrake.multibody.parsing import Parser
-from pydrake.multibody.plant import MultibodyPlant
-from pydrake.multibody.tree import (
-    BodyIndex,
-    FixedOffsetFrame,
-    MultibodyForces,
-    PrismaticJoint,
-    RevoluteJoint,
-    RotationalInertia,
-    SpatialInertia,
-    UnitInertia,
-)
 
-from .._errors import EngineError
-from .._robot.inertia import Inertia
-from .._robot.serial_arm import Joint, Limits, SerialArm
-from .._robot.transforms import Array, Transform
-from .each_state import each_state
-from .engine_urdf import parsed, root_link, text_for_engines
-from .imported_model import HeldBody, ImportedModel
+from ..._errors import EngineError
+from ..._robot.inertia import Inertia
+from ..._robot.serial_arm import Joint, Limits, SerialArm
+from ..._robot.transforms import Array, Transform
+from ..captured_warnings import captured_log
+from ..each_state import each_state
+from ..engine_entry import EngineEntry
+from ..engine_urdf import parsed, root_link, text_for_engines
+from ..imported_model import ImportedBody, ImportedModel
+from ..known_issue import KnownIssue
+from ..lazy_import import lazy_import
+from ..urdf_repairs import fix_root_to_world
 
-__all__ = ["DrakeEngine"]
+__all__ = ["ENTRY", "DrakeEngine"]
+
+parsing = lazy_import("pydrake.multibody.parsing")
+plants = lazy_import("pydrake.multibody.plant")
+pydrake_math = lazy_import("pydrake.math")
+tree = lazy_import("pydrake.multibody.tree")
 
 
 class DrakeEngine:
@@ -48,14 +44,14 @@ class DrakeEngine:
     """
 
     name = "Drake"
-    version = metadata.version("drake")
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
+        self.version = metadata.version("drake")
         self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
-        self.plant = MultibodyPlant(0.0)
+        self.plant = plants.MultibodyPlant(0.0)
         give = _build if arm.source.urdf is None else _parse
-        with _heard() as said:
+        with captured_log("drake") as lines:
             try:
                 base, self._tip, self._tip_pose = give(self.plant, arm)
                 self.plant.Finalize()
@@ -64,7 +60,7 @@ class DrakeEngine:
                 raise EngineError(
                     f"Drake cannot take the model of {arm.name!r}: {reason}"
                 ) from error
-        self.said = tuple(said)
+        self.warnings = tuple(lines)
         self.context = self.plant.CreateDefaultContext()
         self._joints = [self.plant.GetJointByName(name) for name in arm.joint_names]
         self._order = [joint.velocity_start() for joint in self._joints]
@@ -145,19 +141,19 @@ class DrakeEngine:
         for k in self.plant.GetJointIndices():
             joint = self.plant.get_joint(k)
             above[int(joint.child_body().index())] = joint
-        bodies = [self.plant.get_body(BodyIndex(k)) for k in range(1, self.plant.num_bodies())]
+        bodies = [self.plant.get_body(tree.BodyIndex(k)) for k in range(1, self.plant.num_bodies())]
         return ImportedModel(
-            tuple(self._held_joint(i) for i in np.argsort(self._order)),
-            tuple(self._held_body(body, above) for body in bodies),
+            tuple(self._imported_joint(i) for i in np.argsort(self._order)),
+            tuple(self._imported_body(body, above) for body in bodies),
             self._gravity_read,
             self._tool().matrix(),
             int(self.plant.num_positions()),
-            self.said,
+            self.warnings,
         )
 
-    def _held_joint(self, i: int) -> Joint:
+    def _imported_joint(self, i: int) -> Joint:
         joint = self._joints[i]
-        sliding = isinstance(joint, PrismaticJoint)
+        sliding = isinstance(joint, tree.PrismaticJoint)
         axis = joint.translation_axis() if sliding else joint.revolute_axis()
         frame = joint.frame_on_parent().CalcPoseInWorld(self.context)
         motors = [
@@ -177,10 +173,10 @@ class DrakeEngine:
             ),
             float(sum(motor.default_reflected_inertia() for motor in motors)),
             float(self._damping[i]),
-            0.0,  # a MultibodyPlant has no dry friction in its joints
+            0.0,  # a plants.MultibodyPlant has no dry friction in its joints
         )
 
-    def _held_body(self, body: Any, above: dict[int, Any]) -> HeldBody:
+    def _imported_body(self, body: Any, above: dict[int, Any]) -> ImportedBody:
         held = body.CalcSpatialInertiaInBodyFrame(self.context)
         mass, com = held.get_mass(), held.get_com()
         if mass == 0.0:
@@ -189,7 +185,9 @@ class DrakeEngine:
             central = held.Shift(com).CalcRotationalInertia().CopyToFullMatrix3()
             inertia = Inertia(mass, com, central)
         here = self._T_base_world @ _transform(body.EvalPoseInWorld(self.context))
-        return HeldBody(str(body.name()), self._carrier(body, above), inertia.expressed_in(here))
+        return ImportedBody(
+            str(body.name()), self._carrier(body, above), inertia.expressed_in(here)
+        )
 
     def _carrier(self, body: Any, above: dict[int, Any]) -> int | None:
         while int(body.index()) in above:
@@ -200,7 +198,7 @@ class DrakeEngine:
         return None
 
     def _inverse(self, accelerations: Array) -> Array:
-        forces = MultibodyForces(self.plant)
+        forces = tree.MultibodyForces(self.plant)
         self.plant.CalcForceElementsContribution(self.context, forces)
         return np.asarray(self.plant.CalcInverseDynamics(self.context, accelerations, forces))
 
@@ -227,7 +225,7 @@ class DrakeEngine:
 def _parse(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
     """Read the URDF; returns the base's and the tip's frames, and the tool's pose on the tip."""
     text = text_for_engines(arm)
-    Parser(plant).AddModelsFromString(text, "urdf")
+    parsing.Parser(plant).AddModelsFromString(text, "urdf")
     root = root_link(parsed(arm))
     if root != "world":  # a link of that name *is* Drake's world
         plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(root))
@@ -236,16 +234,16 @@ def _parse(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
 
 
 def _build(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
-    """Hand the arm over joint by joint; returns as `_parse` does."""
+    """Pass the arm joint by joint; returns as `_parse` does."""
     body, placement = plant.world_body(), arm.base
     for joint, link in zip(arm.joints, arm.links, strict=True):
         child = plant.AddRigidBody(
             link.name, _spatial(link.inertia.expressed_in(link.link_tip_frame))
         )
         start = plant.AddFrame(
-            FixedOffsetFrame(f"{joint.name}_start", body.body_frame(), _rigid(placement))
+            tree.FixedOffsetFrame(f"{joint.name}_start", body.body_frame(), _rigid(placement))
         )
-        kind = PrismaticJoint if joint.kind == "prismatic" else RevoluteJoint
+        kind = tree.PrismaticJoint if joint.kind == "prismatic" else tree.RevoluteJoint
         added = plant.AddJoint(kind(joint.name, start, child.body_frame(), joint.axis))
         if joint.armature:
             motor = plant.AddJointActuator(f"{joint.name}_motor", added)
@@ -256,15 +254,15 @@ def _build(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
 
 def _spatial(inertia: Inertia) -> Any:
     if inertia.mass == 0.0:
-        return SpatialInertia.Zero()
+        return tree.SpatialInertia.Zero()
     about_origin = inertia.parameters()[4:] / inertia.mass
     xx, xy, yy, xz, yz, zz = about_origin
-    unit = UnitInertia(RotationalInertia(xx, yy, zz, xy, xz, yz))
-    return SpatialInertia(inertia.mass, inertia.com, unit)
+    unit = tree.UnitInertia(tree.RotationalInertia(xx, yy, zz, xy, xz, yz))
+    return tree.SpatialInertia(inertia.mass, inertia.com, unit)
 
 
 def _rigid(T: Transform) -> Any:
-    return RigidTransform(RotationMatrix(T.R), T.p)
+    return pydrake_math.RigidTransform(pydrake_math.RotationMatrix(T.R), T.p)
 
 
 def _transform(X: Any) -> Transform:
@@ -275,21 +273,98 @@ def _finite(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-@contextmanager
-def _heard() -> Iterator[list[str]]:
-    """What Drake logs meanwhile, kept from the reader's terminal."""
-    lines: list[str] = []
-    logger = logging.getLogger("drake")
+def _effort_in_transmissions(root: Any) -> None:
+    """Give every moving joint with an effort limit an actuator, where it has none."""
+    driven = {joint.get("name") for joint in root.findall("transmission/joint")}
+    for joint in root.findall("joint"):
+        limit, name = joint.find("limit"), joint.get("name")
+        moves = joint.get("type") in ("revolute", "continuous", "prismatic")
+        if not moves or name in driven or limit is None or limit.get("effort") is None:
+            continue
+        transmission = etree.SubElement(root, "transmission", name=f"{name}_transmission")
+        kind = etree.SubElement(transmission, "type")
+        kind.text = "transmission_interface/SimpleTransmission"
+        etree.SubElement(transmission, "joint", name=name)
+        etree.SubElement(transmission, "actuator", name=f"{name}_motor")
 
-    class Keep(logging.Handler):
-        def emit(self, record: logging.LogRecord) -> None:
-            lines.append(" ".join(record.getMessage().split()))
 
-    handler, propagated = Keep(), logger.propagate
-    logger.addHandler(handler)
-    logger.propagate = False
-    try:
-        yield lines
-    finally:
-        logger.removeHandler(handler)
-        logger.propagate = propagated
+_KNOWN_ISSUES = (
+    KnownIssue(
+        id="drake-impossible-tensor",
+        engine="drake",
+        measured="1.51",
+        kinds=("tensor-changed", "com-moved", "mass-changed"),
+        harmful=True,
+        title="an inertia tensor that no body can have is replaced",
+        explanation="A tensor that violates the triangle inequality, if only in its last printed "
+        "digit, is replaced by that of a solid sphere of water density and the same mass, with a "
+        "warning on the log. Moments can shrink a hundredfold.",
+        fix="correct the tensor: print more digits, or raise the smallest moments",
+    ),
+    KnownIssue(
+        id="drake-effort-from-transmission",
+        engine="drake",
+        measured="1.51",
+        kinds=("effort-limit",),
+        harmful=False,
+        title="effort limits count only where there is a transmission",
+        explanation="A joint has no actuator, and so no effort limit, unless a <transmission> "
+        "drives it.",
+        fix="add a <transmission> for each joint; `ur5check expand --for drake`",
+        rewrite=_effort_in_transmissions,
+    ),
+    KnownIssue(
+        id="drake-no-friction",
+        engine="drake",
+        measured="1.51",
+        kinds=("friction",),
+        harmful=False,
+        title="dry friction is not kept",
+        explanation="A MultibodyPlant has no Coulomb friction in its joints, and logs a warning.",
+        fix="add it as a force of your own",
+    ),
+    KnownIssue(
+        id="drake-continuous-limits",
+        engine="drake",
+        measured="1.51",
+        kinds=("position-limit",),
+        harmful=False,
+        title="a continuous joint keeps position limits",
+        explanation="lower and upper in the <limit> of a continuous joint mean nothing by the URDF "
+        "specification; Drake keeps them.",
+        fix="take lower and upper out of the continuous joint's <limit>",
+    ),
+    KnownIssue(
+        id="drake-keeps-base",
+        engine="drake",
+        measured="1.51",
+        kinds=("base-kept",),
+        harmful=False,
+        title="the base keeps its inertia",
+        explanation="Links on the base stay bodies; welded to the world they load no joint.",
+        fix="none is needed: torques do not change",
+    ),
+    KnownIssue(
+        id="drake-floating-root",
+        engine="drake",
+        measured="1.51",
+        kinds=(),
+        harmful=True,
+        title="the root floats unless it is welded",
+        explanation="A URDF's root link is free in space until WeldFrames, or a root link of the "
+        "name `world`, fixes it. ur5check welds it.",
+        fix="name the root `world`; `ur5check expand --for drake`",
+        rewrite=fix_root_to_world,
+    ),
+)
+
+ENTRY = EngineEntry(
+    key="drake",
+    title="Drake",
+    order=30,
+    make=DrakeEngine,
+    module=plants,
+    distribution="drake",
+    extra="drake",
+    known_issues=_KNOWN_ISSUES,
+)

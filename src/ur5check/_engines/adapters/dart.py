@@ -2,8 +2,8 @@
 matrix.
 
 `dartpy` parses with urdfdom, as Pinocchio does, but keeps a body for every link.  Damping, dry
-friction and springs are set to zero once they have been noted for `imported_model`: DART folds
-damping into its articulated inertia, and what is compared is the rigid-body model.
+friction and springs are set to zero after their values have been recorded for `imported_model`:
+DART adds damping to its articulated inertia, and what is compared is the rigid-body model.
 """
 
 from __future__ import annotations
@@ -12,20 +12,26 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, ClassVar
 
-import dartpy
 import numpy as np
+from lxml import etree
 from numpy.typing import ArrayLike
 
-from .._errors import EngineError
-from .._robot.inertia import Inertia
-from .._robot.serial_arm import Joint, Limits, Link, SerialArm
-from .._robot.transforms import Array, Transform
-from .captured_warnings import capturing
-from .each_state import each_state
-from .engine_urdf import text_for_engines
-from .imported_model import HeldBody, ImportedModel
+from ..._errors import EngineError
+from ..._robot.inertia import Inertia
+from ..._robot.serial_arm import Joint, Limits, Link, SerialArm
+from ..._robot.transforms import Array, Transform
+from ..captured_warnings import captured_output
+from ..each_state import each_state
+from ..engine_entry import EngineEntry
+from ..engine_urdf import text_for_engines
+from ..imported_model import ImportedBody, ImportedModel
+from ..known_issue import KnownIssue
+from ..lazy_import import lazy_import
+from ..urdf_repairs import fix_root_to_world
 
-__all__ = ["DartEngine"]
+__all__ = ["ENTRY", "DartEngine"]
+
+dartpy = lazy_import("dartpy")
 
 _NO_EXTERNAL_FORCES = (False, False, False)  # nor damping, nor springs
 
@@ -39,25 +45,25 @@ class DartEngine:
     """
 
     name = "DART"
-    version = str(dartpy.__version__)
     #: as `World.step` does it: velocities first, then positions with the new ones
     integrators: ClassVar[dict[str, int]] = {"semi-implicit": 1}
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
+        self.version = str(dartpy.__version__)
         self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
-        with capturing() as said:
+        with captured_output() as lines:
             skeleton = _built(arm) if arm.source.urdf is None else _parsed(arm)
         if skeleton is None:
             raise EngineError(
-                f"DART cannot take the model of {arm.name!r}: {' '.join(said[:2]) or 'no reason'}"
+                f"DART cannot take the model of {arm.name!r}: {' '.join(lines[:2]) or 'no reason'}"
             )
-        self.skeleton, self.said = skeleton, tuple(said)
+        self.skeleton, self.warnings = skeleton, tuple(lines)
         self._dofs = [self._dof(name) for name in arm.joint_names]
         self._order = [dof.getIndexInSkeleton() for dof in self._dofs]
         # DART starts a joint in the middle of its range where that leaves zero out.
         skeleton.setPositions(np.zeros(arm.n))
-        self._joints = tuple(self._held_joint(k) for k in range(skeleton.getNumDofs()))
+        self._joints = tuple(self._imported_joint(k) for k in range(skeleton.getNumDofs()))
         for dof in self._dofs:
             dof.setDampingCoefficient(0.0)
             dof.setCoulombFriction(0.0)
@@ -147,22 +153,22 @@ class DartEngine:
         nodes = [self.skeleton.getBodyNode(k) for k in range(self.skeleton.getNumBodyNodes())]
         return ImportedModel(
             self._joints,
-            tuple(self._held_body(node) for node in nodes),
+            tuple(self._imported_body(node) for node in nodes),
             self._gravity_read,
             self._tool().matrix(),
             int(self.skeleton.getNumDofs()),
-            self.said,
+            self.warnings,
         )
 
-    def _held_joint(self, k: int) -> Joint:
+    def _imported_joint(self, k: int) -> Joint:
         dof = self.skeleton.getDof(k)
         joint = self.skeleton.getJoint(dof.getName())
         sliding = joint.getType() == "PrismaticJoint"
         child = joint.getChildBodyNode()
-        turn = _pose(child).R @ joint.getTransformFromChildBodyNode().rotation()
+        R = _pose(child).R @ joint.getTransformFromChildBodyNode().rotation()
         return Joint(
             str(dof.getName()),
-            turn @ joint.getAxis(),
+            R @ joint.getAxis(),
             "prismatic" if sliding else "revolute",
             Limits(
                 _finite(dof.getPositionLowerLimit()),
@@ -170,16 +176,16 @@ class DartEngine:
                 _finite(dof.getVelocityUpperLimit()),
                 _finite(dof.getForceUpperLimit()),
             ),
-            0.0,  # DART has no place for a motor's inertia
+            0.0,  # DART's joints have no armature
             float(dof.getDampingCoefficient()),
             float(dof.getCoulombFriction()),
         )
 
-    def _held_body(self, node: Any) -> HeldBody:
+    def _imported_body(self, node: Any) -> ImportedBody:
         held = node.getInertia()
         inertia = Inertia(held.getMass(), held.getLocalCOM(), held.getMoment())
         here = inertia.expressed_in(self._T_base_world @ _pose(node))
-        return HeldBody(str(node.getName()), self._carrier(node), here)
+        return ImportedBody(str(node.getName()), self._carrier(node), here)
 
     def _carrier(self, node: Any) -> int | None:
         while node is not None:
@@ -229,14 +235,14 @@ def _finite(value: float) -> float | None:
 def _parsed(arm: SerialArm) -> Any:
     loader = dartpy.utils.DartLoader()
     options = dartpy.utils.DartLoader.Options()
-    # Left to itself, DART lets the root float.
+    # By default DART lets the root float.
     options.mDefaultRootJointType = dartpy.utils.DartLoader.RootJointType.FIXED
     loader.setOptions(options)
     return loader.parseSkeletonString(text_for_engines(arm), dartpy.common.Uri(""))
 
 
 def _built(arm: SerialArm) -> Any:
-    """The arm handed over joint by joint."""
+    """The arm passed joint by joint."""
     skeleton = dartpy.dynamics.Skeleton(arm.name)
     node, placement = None, arm.base
     for joint, link in zip(arm.joints, arm.links, strict=True):
@@ -261,3 +267,73 @@ def _add(skeleton: Any, parent: Any, joint: Joint, link: Link, placement: Transf
     here = link.inertia.expressed_in(link.link_tip_frame)
     node.setInertia(dynamics.Inertia(here.mass, here.com, here.tensor))
     return node
+
+
+def _write_massless_links(root: Any) -> None:
+    """Give every link without `<inertial>` one of mass zero."""
+    for link in root.iterchildren("link"):
+        if link.find("inertial") is None and link.get("name") != "world":
+            inertial = etree.SubElement(link, "inertial")
+            etree.SubElement(inertial, "mass", value="0")
+            moments = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+            etree.SubElement(inertial, "inertia", dict.fromkeys(moments, "0"))
+
+
+_KNOWN_ISSUES = (
+    KnownIssue(
+        id="dart-default-inertia",
+        engine="dart",
+        measured="6.20",
+        kinds=("default-inertia",),
+        harmful=True,
+        title="a link without <inertial> weighs 1 kg",
+        explanation="DART gives such a link, a tool frame for instance, 1 kg and moments of "
+        "1 kg m².",
+        fix="write an <inertial> of mass zero; `ur5check expand --for dart`",
+        rewrite=_write_massless_links,
+    ),
+    KnownIssue(
+        id="dart-keeps-base",
+        engine="dart",
+        measured="6.20",
+        kinds=("base-kept",),
+        harmful=False,
+        title="the base keeps its inertia",
+        explanation="Links on the base stay bodies; at rest they load no joint.",
+        fix="none is needed: torques do not change",
+    ),
+    KnownIssue(
+        id="dart-floating-root",
+        engine="dart",
+        measured="6.20",
+        kinds=(),
+        harmful=True,
+        title="the root floats by default",
+        explanation="DartLoader makes the root joint floating. ur5check sets it to fixed.",
+        fix="set mDefaultRootJointType to FIXED, or fix the root to a link `world`; "
+        "`ur5check expand --for dart`",
+        rewrite=fix_root_to_world,
+    ),
+    KnownIssue(
+        id="dart-no-motor-inertia",
+        engine="dart",
+        measured="6.20",
+        kinds=("armature",),
+        harmful=True,
+        title="motor inertia is not kept",
+        explanation="DART's joints have no armature.",
+        fix="add it to the mass matrix, or compare without it",
+    ),
+)
+
+ENTRY = EngineEntry(
+    key="dart",
+    title="DART",
+    order=40,
+    make=DartEngine,
+    module=dartpy,
+    distribution="dartpy",
+    extra="dart",
+    known_issues=_KNOWN_ISSUES,
+    finds_packages=False,
+)

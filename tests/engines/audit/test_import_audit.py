@@ -9,8 +9,8 @@ from planted_engines import Honest, Merging
 
 import ur5check
 from ur5check._dynamics.recursion import rnea
-from ur5check._engines.audit.import_audit import audit, priced
-from ur5check._engines.pinocchio import PinocchioEngine
+from ur5check._engines.adapters.pinocchio import PinocchioEngine
+from ur5check._engines.audit.import_audit import audit, with_torque_effects
 from ur5check._robot.states import random_states
 
 #: What each planted engine must be found to have done: kind, place.
@@ -91,12 +91,12 @@ def test_pinocchio_reads_a_ur5_rightly(name):
 def test_each_faults_newton_metres_add_up_to_the_whole(name, arm):
     engine = getattr(planted_engines, name)(arm)
     states = random_states(arm.n, 50, seed=1)
-    imported = priced(audit(engine.imported_model(), arm), states)
+    imported = with_torque_effects(audit(engine.imported_model(), arm), states)
     state = (states.q, states.qd, states.qdd)
     whole = engine.inverse_dynamics(*state) - rnea(arm, *state)
     imported_arm = rnea(imported.imported_arm, *state) - rnea(arm, *state)
     np.testing.assert_allclose(imported_arm, whole, atol=1e-12)
-    costs = [one.cost for one in imported.harmful]
+    costs = [one.torque_effect for one in imported.harmful]
     assert all(cost > 1e-6 for cost in costs)
     # No |Δτ| is larger than what the faults make one by one, and one alone makes all of it.
     assert np.abs(whole).max() <= sum(costs) + 1e-12
@@ -138,13 +138,13 @@ def test_two_faults_of_one_merged_body_are_told_apart(arm):
 def test_default_gravity_costs_what_it_costs(arm):
     states = random_states(arm.n, 50, seed=1)
     engine = planted_engines.GravityByDefault(arm)
-    (gravity,) = faults(priced(audit(engine.imported_model(), arm), states))
+    (gravity,) = faults(with_torque_effects(audit(engine.imported_model(), arm), states))
     expected = np.abs(
         rnea(arm, states.q, states.qd, states.qdd, (0, 0, -9.80665))
         - rnea(arm, states.q, states.qd, states.qdd)
     ).max()
     assert gravity.bears_on == "use"
-    assert gravity.cost == pytest.approx(expected, rel=1e-9)
+    assert gravity.torque_effect == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_rotation_that_turns_nothing_is_not_blamed(arm):

@@ -1,10 +1,11 @@
 """MuJoCo as reference engine: `mj_rne`, `mj_forward`, the mass matrix of `mj_crb`.
 
 Contacts, limits, springs, damping and dry friction are switched off: what is compared, and what
-moves in `step`, is the rigid-body model.  What the model says of them is kept for `imported_model`.
+integrated in `step`, is the rigid-body model.  `imported_model` reports what the model has of them.
 
-MuJoCo melts fixed links into their parents, the tool's frame with them.  A site is put where the
-tool and the base are before it does, so that its own kinematics still tells where they went.
+MuJoCo merges fixed links into their parents and drops their frames, the tool's among them.  A site
+is therefore added at the tool and at the base before compilation; their poses come from MuJoCo's
+own kinematics.
 """
 
 from __future__ import annotations
@@ -13,34 +14,28 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, ClassVar
 
-import mujoco
 import numpy as np
+from lxml import etree
 from numpy.typing import ArrayLike
 
-from .._errors import EngineError
-from .._robot.inertia import Inertia
-from .._robot.serial_arm import Joint, Limits, SerialArm
-from .._robot.transforms import Array, Transform
-from .each_state import each_state
-from .engine_urdf import text_for_engines
-from .imported_model import HeldBody, ImportedModel
+from ..._errors import EngineError
+from ..._robot.inertia import Inertia
+from ..._robot.serial_arm import Joint, Limits, SerialArm
+from ..._robot.transforms import Array, Transform
+from ..each_state import each_state
+from ..engine_entry import EngineEntry
+from ..engine_urdf import text_for_engines
+from ..imported_model import ImportedBody, ImportedModel
+from ..known_issue import KnownIssue
+from ..lazy_import import lazy_import
 
-__all__ = ["MuJoCoEngine"]
+__all__ = ["ENTRY", "MuJoCoEngine"]
+
+mujoco = lazy_import("mujoco")
 
 _BASE, _TOOL = "ur5check_base", "ur5check_tool"
-_INTEGRATORS = {
-    "euler": mujoco.mjtIntegrator.mjINT_EULER,
-    "rk4": mujoco.mjtIntegrator.mjINT_RK4,
-    "implicit": mujoco.mjtIntegrator.mjINT_IMPLICIT,
-    "implicitfast": mujoco.mjtIntegrator.mjINT_IMPLICITFAST,
-}
-_RIGID_BODIES_ONLY = (
-    mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
-    | mujoco.mjtDisableBit.mjDSBL_CONTACT
-    | mujoco.mjtDisableBit.mjDSBL_SPRING
-    | mujoco.mjtDisableBit.mjDSBL_DAMPER
-    | mujoco.mjtDisableBit.mjDSBL_ACTUATION
-)
+#: What of `mjtDisableBit` is set, so that rigid bodies alone remain.
+_DISABLED = ("CONSTRAINT", "CONTACT", "SPRING", "DAMPER", "ACTUATION")
 
 
 class MuJoCoEngine:
@@ -52,21 +47,22 @@ class MuJoCoEngine:
     """
 
     name = "MuJoCo"
-    version = str(mujoco.__version__)
     #: `euler` moves positions with the new velocities (semi-implicit)
     integrators: ClassVar[dict[str, int]] = {"euler": 1, "rk4": 4, "implicit": 1, "implicitfast": 1}
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
         self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
-        with _heard() as said:
+        self.version = str(mujoco.__version__)
+        with _captured_warnings() as lines:
             self.model = _compiled(arm)
-        self.said = tuple(said)
+        self.warnings = tuple(lines)
         self.data = mujoco.MjData(self.model)
         self._joints = [self._joint_id(name) for name in arm.joint_names]
         self._q = self.model.jnt_qposadr[self._joints]
         self._v = self.model.jnt_dofadr[self._joints]
-        self.model.opt.disableflags |= int(_RIGID_BODIES_ONLY)
+        for name in _DISABLED:
+            self.model.opt.disableflags |= int(getattr(mujoco.mjtDisableBit, f"mjDSBL_{name}"))
         mujoco.mj_kinematics(self.model, self.data)
         self._T_base_world = self._site(_BASE).inverse()
         R = self._T_base_world.R
@@ -134,7 +130,8 @@ class MuJoCoEngine:
         self, q: Array, qd: Array, tau: Array, dt: float, integrator: str | None = None
     ) -> tuple[Array, Array]:
         """(q, q̇) after one `mj_step` of `dt` [s]."""
-        self.model.opt.integrator = _INTEGRATORS[integrator or "euler"]
+        kind = f"mjINT_{(integrator or 'euler').upper()}"
+        self.model.opt.integrator = getattr(mujoco.mjtIntegrator, kind)
         self.model.opt.timestep = dt
         self.data.qpos[self._q], self.data.qvel[self._v] = q, qd
         self.data.qfrc_applied[self._v] = tau
@@ -145,15 +142,15 @@ class MuJoCoEngine:
         """What the compiled `MjModel` holds."""
         self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
         return ImportedModel(
-            tuple(self._held_joint(k) for k in range(self.model.njnt)),
-            tuple(self._held_body(b) for b in range(1, self.model.nbody)),
+            tuple(self._imported_joint(k) for k in range(self.model.njnt)),
+            tuple(self._imported_body(b) for b in range(1, self.model.nbody)),
             self._gravity_read,
             (self._T_base_world @ self._site(_TOOL)).matrix(),
             int(self.model.nq),
-            self.said,
+            self.warnings,
         )
 
-    def _held_joint(self, k: int) -> Joint:
+    def _imported_joint(self, k: int) -> Joint:
         model, v = self.model, int(self.model.jnt_dofadr[k])
         sliding = model.jnt_type[k] == mujoco.mjtJoint.mjJNT_SLIDE
         lower, upper = model.jnt_range[k] if model.jnt_limited[k] else (None, None)
@@ -168,11 +165,11 @@ class MuJoCoEngine:
             float(model.dof_frictionloss[v]),
         )
 
-    def _held_body(self, b: int) -> HeldBody:
+    def _imported_body(self, b: int) -> ImportedBody:
         R = self.data.ximat[b].reshape(3, 3)
         tensor = R @ np.diag(self.model.body_inertia[b]) @ R.T
         inertia = Inertia(self.model.body_mass[b], self.data.xipos[b], tensor)
-        return HeldBody(
+        return ImportedBody(
             self.model.body(b).name,
             self._carrier(b),
             inertia.expressed_in(self._T_base_world),
@@ -234,7 +231,7 @@ def _parsed(arm: SerialArm) -> Any:
 
 
 def _built(arm: SerialArm) -> Any:
-    """The arm handed over joint by joint."""
+    """The arm passed joint by joint."""
     spec = mujoco.MjSpec()
     body, placement = spec.worldbody, arm.base
     body.add_site(name=_BASE)
@@ -269,11 +266,92 @@ def _quaternion(R: Array) -> Array:
 
 
 @contextmanager
-def _heard() -> Iterator[list[str]]:
-    """MuJoCo's warnings meanwhile; left alone it writes them to a file in the current folder."""
+def _captured_warnings() -> Iterator[list[str]]:
+    """MuJoCo's warnings during the block; by default they go to a file in the working folder."""
     lines: list[str] = []
     mujoco.set_mju_user_warning(lines.append)
     try:
         yield lines
     finally:
         mujoco.set_mju_user_warning(None)
+
+
+def _masses_from_inertial_only(root: Any) -> None:
+    """Set MuJoCo's compiler to take masses from `<inertial>` only."""
+    settings = root.find("mujoco")
+    if settings is None:
+        settings = etree.SubElement(root, "mujoco")
+    compiler = settings.find("compiler")
+    if compiler is None:
+        compiler = etree.SubElement(settings, "compiler")
+    compiler.set("inertiafromgeom", "false")
+
+
+_KNOWN_ISSUES = (
+    KnownIssue(
+        id="mujoco-mass-from-shape",
+        engine="mujoco",
+        measured="4.0",
+        kinds=("shape-mass",),
+        harmful=True,
+        title="a link without <inertial> gets the mass of its collision shape",
+        explanation="A body without an inertial is filled with the density of water, 1000 kg/m³, "
+        "wherever it has a collision shape, and merged into the link that carries it.",
+        fix='set <mujoco><compiler inertiafromgeom="false"/></mujoco>; '
+        "`ur5check expand --for mujoco`",
+        rewrite=_masses_from_inertial_only,
+    ),
+    KnownIssue(
+        id="mujoco-fuses-fixed-links",
+        engine="mujoco",
+        measured="4.0",
+        kinds=("body-merged", "body-lost"),
+        harmful=False,
+        title="fixed links are merged into their parents",
+        explanation="Links behind fixed joints lose their names and frames, the tool's among them "
+        "(fusestatic, on for URDF); their inertias are kept.",
+        fix="none is needed for torques; for the frames set fusestatic='false'",
+    ),
+    KnownIssue(
+        id="mujoco-base-is-world",
+        engine="mujoco",
+        measured="4.0",
+        kinds=("base-ignored",),
+        harmful=False,
+        title="the root link becomes the world",
+        explanation="It is fixed and its inertia is dropped: a fixed base loads no joint.",
+        fix="none is needed: torques do not change",
+    ),
+    KnownIssue(
+        id="mujoco-no-velocity-limit",
+        engine="mujoco",
+        measured="4.0",
+        kinds=("velocity-limit",),
+        harmful=False,
+        title="velocity limits are not kept",
+        explanation="MuJoCo's joints have position and force ranges only.",
+        fix="limit velocities in the controller",
+    ),
+    KnownIssue(
+        id="mujoco-equal-limits",
+        engine="mujoco",
+        measured="4.0",
+        kinds=("position-limit",),
+        harmful=False,
+        title="equal lower and upper limits are ignored",
+        explanation="A joint that is limited to one position turns freely.",
+        fix="make it a fixed joint",
+    ),
+)
+
+ENTRY = EngineEntry(
+    key="mujoco",
+    title="MuJoCo",
+    order=20,
+    make=MuJoCoEngine,
+    module=mujoco,
+    distribution="mujoco",
+    extra="mujoco",
+    known_issues=_KNOWN_ISSUES,
+    finds_packages=False,
+)

@@ -1,6 +1,6 @@
-"""All engines on every serial arm of example-robot-data, and the page that tells of it.
+"""All engines on every serial arm of example-robot-data, and the page with the results.
 
-One run serves all tests here; it is most of what this folder costs.
+One run serves all tests here; it takes most of this folder's time.
 """
 
 from __future__ import annotations
@@ -51,10 +51,10 @@ def appendix():
 
 
 def test_all_engines_take_part():
-    assert set(installed()) >= {"own", "pinocchio", "mujoco", "drake", "dart", "idyntree"}
+    assert set(installed()) >= {"ur5check", "pinocchio", "mujoco", "drake", "dart", "idyntree"}
 
 
-def test_with_the_remedies_all_engines_hold_the_same_robots(fleet):
+def test_with_the_repairs_all_engines_agree_on_every_arm(fleet):
     assert len(fleet.reports) == len(FLEET) > 30
     assert fleet.worst(as_read=False) <= SAME_ROBOT
     for report in fleet.reports:
@@ -66,9 +66,9 @@ def test_before_them_every_larger_difference_is_explained(fleet):
     for report in fleet.reports:
         assert report.explained, report.arm.name
         for reading in report.as_read.readings:
-            if reading.refused is not None or reading.key == "own":
+            if reading.refused is not None or reading.key == "ur5check":
                 continue
-            if report.as_read.matrix.between("own", reading.key).torque > SAME_ROBOT:
+            if report.as_read.matrix.between("ur5check", reading.key).torque > SAME_ROBOT:
                 larger += 1
                 assert all(one.known_issue is not None for one in reading.imported.harmful)
     assert larger >= 2
@@ -79,7 +79,31 @@ def test_what_is_refused_is_known(fleet):
     assert refused == REFUSED
 
 
-def test_darts_phantom_torque_is_found_named_and_removed(appendix):
+def test_refusals_are_counted_apart(fleet):
+    n = len(fleet.reports)
+    counts = [
+        (
+            fleet.agreeing(SAME_ROBOT, as_read=as_read),
+            fleet.differing(SAME_ROBOT, as_read=as_read),
+            fleet.refused(as_read=as_read),
+        )
+        for as_read in (True, False)
+    ]
+    assert counts == [(n - 3, 2, 1), (n - 1, 0, 1)]
+    assert not fleet.agrees(SAME_ROBOT, as_read=False)
+
+
+def test_an_arm_that_an_engine_refuses_never_counts_as_agreement(plant):
+    arms = FLEET[:1]
+    for name, agrees in (("Honest", True), ("Refusing", False)):
+        report = compare_fleet(engines=[plant(name)], samples=3, arms=arms)
+        assert report.worst(as_read=False) <= SAME_ROBOT  # no two engines differ
+        assert report.agrees(SAME_ROBOT, as_read=False) is agrees
+        assert report.agreeing(SAME_ROBOT, as_read=True) == agrees
+        assert report.refused(as_read=True) == (not agrees)
+
+
+def test_the_default_inertia_of_dart_is_found_named_and_removed(appendix):
     dart = appendix.as_read.reading("dart").imported
     assert [(one.kind, one.where) for one in dart.harmful] == [
         ("default-inertia", "link 'ee_link'"),
@@ -87,11 +111,11 @@ def test_darts_phantom_torque_is_found_named_and_removed(appendix):
     ]
     assert dart.added_mass == pytest.approx(2.0)
     assert {one.known_issue.id for one in dart.harmful} == {"dart-default-inertia"}
-    assert appendix.as_read.matrix.between("own", "dart").torque > 10.0
-    assert appendix.repaired.matrix.between("own", "dart").torque <= SAME_ROBOT
+    assert appendix.as_read.matrix.between("ur5check", "dart").torque > 10.0
+    assert appendix.repaired.matrix.between("ur5check", "dart").torque <= SAME_ROBOT
 
 
-def test_erd_ur5_has_the_phantom_once_its_empty_inertials_are_left_out():
+def test_erd_ur5_gets_a_default_inertia_once_its_empty_inertials_are_left_out():
     written = ur5check.load("erd-ur5")
     assert compare_engines(written, engines=["dart"], samples=20).as_read.agrees()
     empty = r"<inertial>\s*<mass value=\"0\"/>.*?</inertial>"
@@ -124,14 +148,14 @@ def test_a_command_of_the_page_runs(command, tmp_path, monkeypatch, capsys):
 
 def test_the_fleet_is_a_report(fleet, capsys, monkeypatch, tmp_path):
     said = render_markdown(engines_fleet_document(fleet))
-    assert "**AGREE: as read, the engines hold the same robot for 33 of 35 arms" in said
-    assert "finger-edu is not held against MuJoCo" in said
+    assert "**REFUSED: as read, all engines agree on 32 of 35 arms and differ on 2" in said
+    assert "finger-edu is refused by MuJoCo" in said
     assert "**DIFFER:" in render_markdown(engines_fleet_document(fleet, as_read=True))
     schema = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
     report = json.loads(json.dumps(engines_fleet_json(fleet), allow_nan=False))
     jsonschema.Draft202012Validator(schema).validate(report)
-    assert report["agree"]
-    assert not engines_fleet_json(fleet, as_read=True)["agree"]
+    assert not report["agree"]  # a refusal is no agreement
+    assert [arm["name"] for arm in report["arms"] if not arm["verdict"]["agree"]] == ["finger-edu"]
     monkeypatch.setattr(fleet_module, "FLEET", [one for one in FLEET if one.name == "xarm7"])
     options = ["engines", "--fleet", "--with", "dart", "--samples", "5", "--quiet"]
     assert main(options) == 0

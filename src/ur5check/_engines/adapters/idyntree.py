@@ -1,13 +1,12 @@
-"""iDynTree as reference engine: `KinDynComputations` on its base link, held still.
+"""iDynTree as reference engine: `KinDynComputations` on its base link, which is fixed.
 
-iDynTree knows floating bases only.  A fixed base is one that does not accelerate, so the joints'
+iDynTree has floating bases only.  A fixed base is one that does not accelerate, so the joints'
 rows and columns of its equations are those of the arm.  It offers no forward dynamics of such an
 arm: its own mass matrix and bias are solved for the acceleration.
 """
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from importlib import metadata
 from typing import Any
@@ -15,22 +14,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._errors import EngineError
-from .._robot.inertia import Inertia
-from .._robot.serial_arm import STANDARD_GRAVITY, Joint, Limits, SerialArm
-from .._robot.transforms import Array, Transform
-from .captured_warnings import capturing
-from .each_state import each_state
-from .engine_urdf import text_for_engines
-from .imported_model import HeldBody, ImportedModel
+from ..._errors import EngineError
+from ..._robot.inertia import Inertia
+from ..._robot.serial_arm import STANDARD_GRAVITY, Joint, Limits, SerialArm
+from ..._robot.transforms import Array, Transform
+from ..captured_warnings import captured_output
+from ..each_state import each_state
+from ..engine_entry import EngineEntry
+from ..engine_urdf import text_for_engines
+from ..imported_model import ImportedBody, ImportedModel
+from ..known_issue import KnownIssue
+from ..lazy_import import lazy_import
 
-with warnings.catch_warnings():
-    # SWIG's types warn of their own making as they are created, and crash the interpreter where
-    # warnings are errors.
-    warnings.simplefilter("ignore", DeprecationWarning)
-    import idyntree.bindings as idyn
+__all__ = ["ENTRY", "IDynTreeEngine"]
 
-__all__ = ["IDynTreeEngine"]
+# SWIG's types raise DeprecationWarnings while they are created, and crash the interpreter where
+# warnings are errors.
+idyn = lazy_import("idyntree.bindings", ignored=DeprecationWarning)
 
 
 class IDynTreeEngine:
@@ -42,18 +42,18 @@ class IDynTreeEngine:
     """
 
     name = "iDynTree"
-    version = metadata.version("idyntree")
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
+        self.version = metadata.version("idyntree")
         self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
         self._computing = idyn.KinDynComputations()
-        with capturing() as said:
+        with captured_output() as lines:
             self.model = _built(arm) if arm.source.urdf is None else _parsed(arm)
             taken = self.model is not None and self._computing.loadRobotModel(self.model)
-        self.said = tuple(said)
+        self.warnings = tuple(lines)
         if not taken:
-            reason = " ".join(self.said[:2]) or "no reason given"
+            reason = " ".join(self.warnings[:2]) or "no reason given"
             raise EngineError(f"iDynTree cannot take the model of {arm.name!r}: {reason}")
         self._ids = [self._joint_id(name) for name in arm.joint_names]
         self._order = [self.model.getJoint(k).getDOFsOffset() for k in self._ids]
@@ -61,7 +61,7 @@ class IDynTreeEngine:
         self._place(np.zeros(arm.n), np.zeros(arm.n))
         base = arm.source.base if self.route != "SerialArm" else "base"
         self._T_base_world = self._frame(base).inverse()
-        # It has no gravity of its own: every call is given one.
+        # It has no gravity of its own: every call takes one as an argument.
         self._gravity_read = np.array(STANDARD_GRAVITY)
         g = np.asarray(arm.gravity if gravity is None else gravity, dtype=np.float64)
         self._gravity = _vector(self._T_base_world.R.T @ g)
@@ -134,17 +134,17 @@ class IDynTreeEngine:
         moving = [k for k in range(self.model.getNrOfJoints()) if k in self._ids]
         return ImportedModel(
             tuple(
-                self._held_joint(k)
+                self._imported_joint(k)
                 for k in sorted(moving, key=lambda k: self.model.getJoint(k).getDOFsOffset())
             ),
-            tuple(self._held_body(k) for k in range(self.model.getNrOfLinks())),
+            tuple(self._imported_body(k) for k in range(self.model.getNrOfLinks())),
             self._gravity_read,
             self._tool().matrix(),
             int(self.model.getNrOfPosCoords()),
-            self.said,
+            self.warnings,
         )
 
-    def _held_joint(self, k: int) -> Joint:
+    def _imported_joint(self, k: int) -> Joint:
         joint = self.model.getJoint(k)
         child = joint.getSecondAttachedLink()
         sliding = joint.isPrismaticJoint()
@@ -163,12 +163,12 @@ class IDynTreeEngine:
                 joint.getVelocityLimit(0) if joint.hasVelocityLimits() else None,
                 joint.getEffortLimit(0) if joint.hasEffortLimits() else None,
             ),
-            0.0,  # iDynTree has no place for a motor's inertia
+            0.0,  # iDynTree's joints have no armature
             float(joint.getDamping(0)),
             float(joint.getStaticFriction(0)),
         )
 
-    def _held_body(self, k: int) -> HeldBody:
+    def _imported_body(self, k: int) -> ImportedBody:
         held = self.model.getLink(k).getInertia()
         name = str(self.model.getLinkName(k))
         inertia = Inertia.zero()
@@ -176,7 +176,7 @@ class IDynTreeEngine:
             com, about_com = held.getCenterOfMass(), held.getRotationalInertiaWrtCenterOfMass()
             inertia = Inertia(held.getMass(), _numbers(com), _numbers(about_com))
         here = inertia.expressed_in(self._T_base_world @ self._frame(name))
-        return HeldBody(name, self._carrier(k), here)
+        return ImportedBody(name, self._carrier(k), here)
 
     def _carrier(self, link: int) -> int | None:
         """The arm's joint that carries a link; joints lead from their first link to the second."""
@@ -236,7 +236,7 @@ def _parsed(arm: SerialArm) -> Any:
 
 
 def _built(arm: SerialArm) -> Any:
-    """The arm handed over joint by joint; its links are called by their numbers."""
+    """The arm passed joint by joint; its links are named by their numbers."""
     model = idyn.Model()
     model.addLink("base", _link(Inertia.zero()))
     placement = arm.base
@@ -295,3 +295,61 @@ def _vector(values: ArrayLike) -> Any:
     for i, value in enumerate(np.asarray(values, dtype=np.float64)):
         vector.setVal(i, float(value))
     return vector
+
+
+_KNOWN_ISSUES = (
+    KnownIssue(
+        id="idyntree-links-become-frames",
+        engine="idyntree",
+        measured="15.1",
+        kinds=("body-lost", "body-merged"),
+        harmful=False,
+        title="massless links at the ends become frames",
+        explanation="A link without <inertial> behind a fixed joint is kept as a frame of its "
+        "parent.",
+        fix="none is needed: torques do not change",
+    ),
+    KnownIssue(
+        id="idyntree-keeps-base",
+        engine="idyntree",
+        measured="15.1",
+        kinds=("base-kept",),
+        harmful=False,
+        title="the base keeps its inertia",
+        explanation="iDynTree's base floats, so its inertia is part of the model; a fixed base "
+        "loads no joint.",
+        fix="none is needed: torques do not change",
+    ),
+    KnownIssue(
+        id="idyntree-continuous-limits",
+        engine="idyntree",
+        measured="15.1",
+        kinds=("position-limit",),
+        harmful=False,
+        title="a continuous joint has limits of 0",
+        explanation="With a <limit> for effort and velocity, a continuous joint reports position "
+        "limits, both 0.",
+        fix="read the limits of revolute joints only",
+    ),
+    KnownIssue(
+        id="idyntree-no-motor-inertia",
+        engine="idyntree",
+        measured="15.1",
+        kinds=("armature",),
+        harmful=True,
+        title="motor inertia is not kept",
+        explanation="iDynTree's joints have no armature.",
+        fix="add it to the mass matrix, or compare without it",
+    ),
+)
+
+ENTRY = EngineEntry(
+    key="idyntree",
+    title="iDynTree",
+    order=50,
+    make=IDynTreeEngine,
+    module=idyn,
+    distribution="idyntree",
+    extra="idyntree",
+    known_issues=_KNOWN_ISSUES,
+)

@@ -30,18 +30,18 @@ def report(arm):
 
 
 @pytest.mark.parametrize("key", KNOWN_ISSUES)
-def test_a_habit_is_found_named_and_explained(key, report):
+def test_a_known_issue_is_found_named_and_explained(key, report):
     faults, known_issue = KNOWN_ISSUES[key]
     reading = report.as_read.reading(key)
     found = reading.imported.harmful
     assert sorted((one.kind, one.where, round(one.mass, 9)) for one in found) == faults
     assert {one.known_issue.id for one in found} == ({known_issue} if known_issue else set())
-    assert reading.belief.explained
-    torque = report.as_read.matrix.between("own", key).torque
+    assert reading.explanation.explained
+    torque = report.as_read.matrix.between("ur5check", key).torque
     assert (torque > SAME_ROBOT) == bool(faults)
 
 
-def test_with_the_remedies_all_agree(report):
+def test_with_the_repairs_all_agree(report):
     assert report.repaired.agrees()
     assert all(reading.imported.harmful == () for reading in report.repaired.readings)
 
@@ -54,7 +54,7 @@ def test_drake_replaces_a_tensor_that_misses_by_its_last_digit():
     (changed,) = report.as_read.reading("drake").imported.harmful
     assert (changed.kind, changed.where) == ("tensor-changed", "link 'hand'")
     assert changed.known_issue.id == "drake-impossible-tensor"
-    assert changed.cost > 0.01
+    assert changed.torque_effect > 0.01
     assert report.explained
     # MuJoCo says what is wrong and takes nothing; no rewriting of ours invents a tensor.
     assert "A + B >= C" in report.as_read.reading("mujoco").refused

@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 
 from ur5check._dynamics.recursion import rnea
-from ur5check._engines.audit.engine_answers import ask, hold_against
+from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
+from ur5check._engines.audit.engine_answers import answer_difference, answers_of
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
-from ur5check._engines.recursion_engine import RecursionEngine
+from ur5check._engines.engine_entry import EngineEntry
+from ur5check._engines.lazy_import import LazyModule
 from ur5check._errors import EngineError, UsageError
 from ur5check._reports.engines_summary import summarize
 from ur5check._robot.states import random_states
@@ -39,11 +41,11 @@ def test_a_planted_fault_is_explained_and_told(name, arm, plant):
     key = plant(name)
     report = compared(arm, key, "pinocchio")
     assert not report.as_read.agrees()
-    assert report.as_read.matrix.agreeing(SAME_ROBOT) == (("own", "pinocchio"), (key,))
+    assert report.as_read.matrix.agreeing(SAME_ROBOT) == (("ur5check", "pinocchio"), (key,))
     assert report.explained
     verdict = summarize(report)[0]
     assert f"ur5check and Pinocchio hold the same robot; {name} {SAID[name]}: " in verdict
-    worst = report.as_read.matrix.between("own", key)
+    worst = report.as_read.matrix.between("ur5check", key)
     assert f"{worst.torque:.4g} N m at joint {worst.joint + 1}" in verdict
 
 
@@ -81,7 +83,7 @@ def test_an_engine_that_refuses_is_a_finding_and_no_agreement(arm, plant):
 def test_the_worst_state_is_worse_than_the_random_ones(arm, plant):
     report = compared(arm, plant("DefaultMass"))
     assert len(report.states) == report.samples + 1
-    worst = report.as_read.matrix.between("own", "defaultmass")
+    worst = report.as_read.matrix.between("ur5check", "defaultmass")
     assert worst.state == report.samples
     q, qd, qdd = (getattr(report.states, name) for name in ("q", "qd", "qdd"))
     imported_arm = report.as_read.reading("defaultmass").imported.imported_arm
@@ -114,7 +116,7 @@ def test_every_answer_is_compared(arm):
 
     states = random_states(arm.n, 10, seed=2)
     tau = rnea(arm, states.q, states.qd, states.qdd)
-    ours = ask("own", RecursionEngine(arm), states, tau)
+    ours = answers_of("ur5check", RecursionEngine(arm), states, tau)
     for question, field in {
         "inverse_dynamics": "torque",
         "mass_matrix": "mass",
@@ -124,7 +126,7 @@ def test_every_answer_is_compared(arm):
     }.items():
         engine = Off(arm)
         engine.off = question
-        parity = hold_against(ours, ask("off", engine, states, tau))
+        parity = answer_difference(ours, answers_of("off", engine, states, tau))
         for name in ("torque", "mass", "bias", "acceleration", "tool"):
             assert (getattr(parity, name) > 1e-6) == (name == field), (question, name)
 
@@ -134,7 +136,15 @@ def test_engines_that_are_none_and_those_that_are_absent(arm, monkeypatch):
 
     with pytest.raises(UsageError, match="no engine is called 'bullet'"):
         compare_engines(arm, engines=["bullet"])
-    absent = registry.EngineEntry("absent", "Absent", ".absent", "A", "no-such-thing", "absent")
+    absent = EngineEntry(
+        key="absent",
+        title="Absent",
+        order=99,
+        make=RecursionEngine,
+        module=LazyModule("no_such_module"),
+        distribution="no-such-thing",
+        extra="absent",
+    )
     monkeypatch.setitem(registry.REGISTRY, "absent", absent)
     with pytest.raises(EngineError, match=r"pip install 'ur5check\[absent\]'"):
         compare_engines(arm, engines=["absent"])
@@ -145,9 +155,9 @@ def test_a_matrix_groups_those_that_agree(arm, plant):
     keys = [plant(name) for name in ("Honest", "DefaultMass", "DefaultMassAndMerging")]
     report = compared(arm, *keys)
     groups = report.as_read.matrix.agreeing(SAME_ROBOT)
-    assert groups == (("own", keys[0]), (keys[1], keys[2]))
+    assert groups == (("ur5check", keys[0]), (keys[1], keys[2]))
     with pytest.raises(KeyError):
-        report.as_read.matrix.between("own", "nobody")
+        report.as_read.matrix.between("ur5check", "nobody")
 
 
 def test_an_arm_without_a_file_is_compared_too(plant):

@@ -12,18 +12,22 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from .._errors import EngineError
-from .._robot.inertia import Inertia, parameter_map
-from .._robot.serial_arm import Joint, Limits, SerialArm
-from .._robot.transforms import Array, Transform
-from .captured_warnings import capturing
-from .each_state import each_state
-from .imported_model import HeldBody, ImportedModel
+from ..._errors import EngineError
+from ..._robot.inertia import Inertia, parameter_map
+from ..._robot.serial_arm import Joint, Limits, SerialArm
+from ..._robot.transforms import Array, Transform
+from ..captured_warnings import captured_output
+from ..each_state import each_state
+from ..engine_entry import EngineEntry
+from ..imported_model import ImportedBody, ImportedModel
+from ..known_issue import KnownIssue
+from ..lazy_import import lazy_import
 
-__all__ = ["PinocchioEngine"]
+__all__ = ["ENTRY", "PinocchioEngine"]
+
+pin = lazy_import("pinocchio")
 
 
 class PinocchioEngine:
@@ -35,16 +39,16 @@ class PinocchioEngine:
     """
 
     name = "Pinocchio"
-    version = str(pin.__version__)
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
-        self.said: tuple[str, ...] = ()
+        self.version = str(pin.__version__)
+        self.warnings: tuple[str, ...] = ()
         if arm.source.urdf is not None:
             self.route = "URDF text, own parser"
-            with capturing() as said:
+            with captured_output() as lines:
                 whole = _parse(arm.source.urdf, arm.name)
-            self.said = tuple(said)
+            self.warnings = tuple(lines)
         elif arm.source.model is not None:
             self.route = "pin.Model"
             whole = arm.source.model
@@ -168,7 +172,7 @@ class PinocchioEngine:
         in_order = sorted(self._joints, key=lambda joint: joint.id)
         carried_by = {joint.id: i for i, joint in enumerate(self._joints)}
         bodies = [
-            HeldBody(
+            ImportedBody(
                 str(self.model.names[k]),
                 carried_by.get(k),
                 Inertia(body.mass, body.lever, body.inertia).expressed_in(self._pose(k)),
@@ -177,19 +181,19 @@ class PinocchioEngine:
             if body.mass or k
         ]
         return ImportedModel(
-            tuple(self._held_joint(joint) for joint in in_order),
+            tuple(self._imported_joint(joint) for joint in in_order),
             tuple(bodies),
             self._gravity_read,
             self.forward_kinematics(np.zeros(self.arm.n)),
             sum(joint.nq for joint in self._joints),
-            self.said,
+            self.warnings,
         )
 
     def _pose(self, joint: int) -> Transform:
         placed = self._T_base_world * self.data.oMi[joint]
         return Transform(placed.rotation, placed.translation)
 
-    def _held_joint(self, joint: Any) -> Joint:
+    def _imported_joint(self, joint: Any) -> Joint:
         model, v, x = self.model, joint.idx_v, joint.idx_q
         fresh = joint.createData()
         joint.calc(fresh, pin.neutral(model))
@@ -280,7 +284,7 @@ def _only_these_joints(model: Any, arm: SerialArm) -> Any:
 
 
 def _build(arm: SerialArm) -> Any:
-    """The arm handed over joint by joint."""
+    """The arm passed joint by joint."""
     model = pin.Model()
     model.name = arm.name
     parent, placement = 0, arm.base
@@ -320,3 +324,38 @@ def _parameter_maps(arm: SerialArm) -> list[Array]:
 def _finite(value: float) -> float | None:
     """A limit, or None where Pinocchio writes infinity or the largest double for "none"."""
     return float(value) if abs(value) < np.finfo(np.float64).max else None
+
+
+_KNOWN_ISSUES = (
+    KnownIssue(
+        id="pinocchio-merges-fixed-links",
+        engine="pinocchio",
+        measured="4.1",
+        kinds=("body-merged", "base-kept", "base-ignored"),
+        harmful=False,
+        title="fixed links are merged into their parents",
+        explanation="Links behind fixed joints become part of the moving link that carries them. "
+        "Links on the base become part of the universe, where they load no joint.",
+        fix="none is needed: torques do not change",
+    ),
+    KnownIssue(
+        id="pinocchio-continuous-joint",
+        engine="pinocchio",
+        measured="4.1",
+        kinds=("coordinates",),
+        harmful=False,
+        title="a continuous joint takes two coordinates",
+        explanation="Its configuration is (cos q, sin q), so that nq exceeds nv.",
+        fix="none is needed here; in your own code use pin.integrate and model.joints[i].nq",
+    ),
+)
+
+ENTRY = EngineEntry(
+    key="pinocchio",
+    title="Pinocchio",
+    order=10,
+    make=PinocchioEngine,
+    module=pin,
+    distribution="pin",
+    known_issues=_KNOWN_ISSUES,
+)
