@@ -5,23 +5,32 @@ The checks are the import audit of `_engines.audit`; a rule's name is the kind o
 
 from __future__ import annotations
 
-from .finding import Severity
+from .._finding import Severity
 from .rule import Rule
 
 __all__ = ["RULES"]
 
 _REPORT = "docs/engines.md"
+_WHY = "engines import different robots from the same file, most of them without a message"
 
 
 def _rule(
-    number: int, name: str, severity: Severity, checks: str, why: str, fix: str, bad: str, good: str
+    number: int,
+    name: str,
+    severity: Severity,
+    checks: str,
+    consequence: str,
+    fix: str,
+    bad: str,
+    good: str,
 ) -> Rule:
     return Rule(
         id=f"ENG{number}",
         name=name,
         severity=severity,
         checks=checks,
-        why=why,
+        why=_WHY,
+        consequence=consequence,
         bad=bad,
         good=good,
         fix=fix,

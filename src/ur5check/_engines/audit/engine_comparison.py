@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike
 
 from ..._dynamics.batching import gravity_of
 from ..._dynamics.recursion import rnea
+from ..._finding import Finding
 from ..._io.loading import ArmSource, load
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States, random_states
 from ..._robot.transforms import Array
-from ..._rules.finding import Finding
 from ..known_issues import repaired
 from ..registry import REFERENCE, REGISTRY, engine_class, installed
 from .agreement_matrix import AgreementMatrix, matrix_of

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ..._finding import Finding, Place, worst_first
 from ..._robot.serial_arm import SerialArm
 from ..._rules.engine_rules import RULES
-from ..._rules.finding import Finding, Place, worst_first
 from ..engine_urdf import parsed
 from .engine_reading import Reading
 from .import_difference import ImportDifference
@@ -47,7 +47,7 @@ def _of_engine(reading: Reading, places: dict[str, Place]) -> list[Finding]:
         Finding(
             rule.id, rule.severity, f"engine {reading.title!r}", message, (places[""],),
             value=effect, unit="" if effect is None else "N m",
-            consequence=rule.why, fix=rule.fix, effect=effect,
+            consequence=rule.consequence, fix=rule.fix, effect=effect,
         )
     ]  # fmt: skip
 
@@ -64,7 +64,7 @@ def _of_difference(one: ImportDifference, title: str, places: dict[str, Place]) 
         value=one.value if numeric else one.imported,
         bound=one.bound if numeric else one.written,
         unit=one.unit,
-        consequence=rule.why if issue is None else issue.explanation,
+        consequence=rule.consequence if issue is None else issue.explanation,
         fix=rule.fix if issue is None else issue.fix,
         effect=one.torque_effect,
     )
