@@ -147,7 +147,7 @@ def _laws(
     for finding in findings:
         if finding.rule in _NO_DYNAMICS and finding.subject in links | joints:
             return None, f"{finding.subject} leaves the arm without dynamics ({finding.rule})"
-    from .._engines.pinocchio import PinocchioEngine
+    from .._engines.adapters.pinocchio import PinocchioEngine
 
     try:
         reference = PinocchioEngine(arm)
