@@ -77,8 +77,11 @@ class Finding:
 
 
 def worst_first(findings: tuple[Finding, ...] | list[Finding]) -> list[Finding]:
-    """Errors, then warnings, then notes; within one severity the larger effect, then by place."""
+    """Errors, then warnings, then notes; what is about the whole robot after what is about a part.
+
+    Within these by place: what stands first in the file is mostly the cause of what stands later.
+    """
     return sorted(
         findings,
-        key=lambda f: (SEVERITIES.index(f.severity), -(f.effect or 0.0), f.place, f.rule),
+        key=lambda f: (SEVERITIES.index(f.severity), f.rule.startswith("ROB"), f.place, f.rule),
     )

@@ -46,13 +46,13 @@ def test_ids_of_the_registry_are_its_rules_ids_in_order():
 
 
 def test_the_worst_finding_comes_first():
-    def finding(severity, line, effect=None):
-        return Finding("INE999", severity, "link 'a'", "", (Place("f", line),), effect=effect)
+    def finding(severity, line, rule="INE999"):
+        return Finding(rule, severity, "link 'a'", "", (Place("f", line),))
 
     note, warning, error = finding("note", 1), finding("warning", 1), finding("error", 9)
-    costly, second = finding("error", 8, effect=3.0), finding("error", 2)
-    found = worst_first([note, warning, error, costly, second])
-    assert found == [costly, second, error, warning, note]
+    second, whole = finding("error", 2), finding("error", 1, "ROB101")
+    found = worst_first([note, warning, whole, error, second])
+    assert found == [second, error, whole, warning, note]
 
 
 def test_a_finding_is_one_line_with_its_place():

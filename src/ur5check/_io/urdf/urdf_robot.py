@@ -144,7 +144,8 @@ class _Reader:
                 self.log.add("TRE104", f"joint {joint.name!r}", problem, joint.place)
             settled.update(path)
         roots = [link for link in links if link not in above]
-        if len(roots) > 1:
+        # Every joint that was left out makes a root of its child: one fault, one finding.
+        if len(roots) > 1 and len(joints) == len(list(self.root.all("joint"))):
             shown = ", ".join(map(repr, roots[:6])) + (", …" if len(roots) > 6 else "")
             self.log.add(
                 "TRE103",
@@ -383,8 +384,9 @@ class _Reader:
         try:
             return plain_number(word)
         except ValueError as error:
-            problem = f"{key}={whole!r} {error}"
-            self.log.add("XML103", where, problem, node.place(key), value=whole)
+            if "${" not in whole and "$(" not in whole:  # which is a finding of the whole file
+                problem = f"{key}={whole!r} {error}"
+                self.log.add("XML103", where, problem, node.place(key), value=whole)
             return math.nan
 
     def _triple(
