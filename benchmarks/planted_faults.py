@@ -19,8 +19,11 @@ _ENTRIES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 @dataclass(frozen=True)
 class Kind:
-    """name; rules : ids of which one is right; plant : edits the root, returns the subject's name or
-    None where there is no place for it; text : edits the written file instead"""
+    """One kind of fault.
+
+    rules : ids of which one is right;  text : edits the written file, after `plant`
+    plant : edits the root, and returns the subject's name, or None where there is no place for it
+    """
 
     name: str
     rules: frozenset[str]
@@ -31,7 +34,7 @@ class Kind:
 def planted(root: ET.Element, kind: Kind, seed: int) -> tuple[str, str] | None:
     """The file's text with the fault, and the name of the link or joint that has it."""
     spoiled = copy.deepcopy(root)
-    subject = kind.plant(spoiled, Random(seed))
+    subject = kind.plant(spoiled, Random(seed))  # noqa: S311 - a benchmark
     if subject is None:
         return None
     text = ET.tostring(spoiled, encoding="unicode")
@@ -126,6 +129,10 @@ def _origin(change: Callable[[list[float]], list[float] | None], key: str = "xyz
 
 def _millimetres(xyz: list[float]) -> list[float] | None:
     return [1000 * x for x in xyz] if max(map(abs, xyz)) > 0.01 else None
+
+
+def _far(xyz: list[float]) -> list[float]:
+    return [xyz[0], xyz[1] + 2.0, xyz[2]]
 
 
 def _limit(**values: str) -> Callable[[ET.Element, Random], str | None]:
@@ -334,7 +341,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("mass in tonnes", _SPREAD, _mass(0.001)),
     Kind("mass negative", frozenset({"INE101"}), _mass(-1.0)),
     Kind("centre in mm", frozenset({"INE112", "GEO101"}), _origin(_millimetres)),
-    Kind("centre 2 m away", frozenset({"INE112", "GEO101"}), _origin(lambda c: [c[0], c[1] + 2, c[2]])),
+    Kind("centre 2 m away", frozenset({"INE112", "GEO101"}), _origin(_far)),
     Kind("tensor in g mm²", _SPREAD, _tensor(1e9)),
     Kind("tensor in kg mm²", _SPREAD, _tensor(1e6)),
     Kind("tensor in kg cm²", _SPREAD, _tensor(1e4)),
