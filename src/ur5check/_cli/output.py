@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
-import secrets
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
@@ -12,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from .._errors import UsageError
+from .._files import write_whole
 
 if TYPE_CHECKING:
     from .._reports.document import Document
@@ -111,7 +110,7 @@ def emit_files(files: Mapping[str, bytes], folder: str, *, option: str) -> None:
     try:
         target.mkdir(exist_ok=True)
         for name, content in files.items():
-            _replace(target / name, content)
+            write_whole(target / name, content)
     except OSError as error:
         raise UsageError(f"{option} {folder}: cannot be written: {error.strerror}") from None
 
@@ -133,23 +132,6 @@ def emit(text: str, output: str | None, *, option: str = "-o") -> None:
         if target.exists() and not target.is_file():
             target.write_bytes(data)  # /dev/null, a pipe: nothing to put in its place
         else:
-            _replace(target, data)
+            write_whole(target, data)
     except OSError as error:
         raise UsageError(f"{option} {output}: cannot be written: {error.strerror}") from None
-
-
-def _replace(target: Path, data: bytes) -> None:
-    """Write beside the target, then put it in the target's place in one step."""
-    draft = target.with_name(f".{target.name}.{secrets.token_hex(4)}.tmp")
-    try:
-        with draft.open("xb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        if target.exists():
-            shutil.copymode(target, draft)
-        draft.replace(target)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            draft.unlink()
-        raise

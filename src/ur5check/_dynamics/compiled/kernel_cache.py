@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import hashlib
 import os
-import secrets
 from collections.abc import Callable
 from pathlib import Path
 
 from ..._errors import UsageError
+from ..._files import write_whole
 
 __all__ = ["cache_folder", "kept"]
 
@@ -57,7 +57,7 @@ def kept(name: str, make: Callable[[], bytes]) -> bytes:
     code = _whole(file)
     if code is None:
         code = make()
-        _write(file, code)
+        write_whole(file, b"%b%b\n%b" % (_MARK, _digest(code), code))
     return code
 
 
@@ -67,12 +67,6 @@ def _whole(file: Path) -> bytes | None:
     except OSError:
         return None
     return code if head == _MARK + _digest(code) else None
-
-
-def _write(file: Path, code: bytes) -> None:
-    draft = file.with_name(f".{file.name}.{secrets.token_hex(4)}.tmp")
-    draft.write_bytes(b"%b%b\n%b" % (_MARK, _digest(code), code))
-    draft.replace(file)
 
 
 def _digest(code: bytes) -> bytes:

@@ -1,15 +1,13 @@
-"""A folder of files that is there as a whole, or not at all."""
+"""Writing a package's folder: all of its files, or nothing."""
 
 from __future__ import annotations
 
-import contextlib
-import secrets
-import shutil
 from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from pathlib import Path
 
 from ..._errors import UsageError
+from ..._files import draft_of
 
 __all__ = ["check_folder", "write_folder"]
 
@@ -41,17 +39,13 @@ def write_folder(
     """
     check_folder(folder)
     target = Path(folder).absolute()
-    draft = target.with_name(f".{target.name}.{secrets.token_hex(4)}.tmp")
     try:
-        for path, content in files.items():
-            file = draft / path
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(content)
-            if path in programs:
-                file.chmod(0o755)
-        draft.replace(target)
+        with draft_of(target) as draft:
+            for path, content in files.items():
+                file = draft / path
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_bytes(content)
+                if path in programs:
+                    file.chmod(0o755)
     except OSError as error:
         raise UsageError(f"{folder}: cannot be written: {error.strerror}") from None
-    finally:
-        with contextlib.suppress(OSError):
-            shutil.rmtree(draft)
