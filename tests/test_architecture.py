@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -133,6 +134,17 @@ def test_a_third_party_engine_is_imported_in_its_own_file_only(file):
 
 def test_no_file_bears_a_public_functions_name() -> None:
     assert not {file.split("/")[0].removesuffix(".py") for file in FILES} & set(ur5check.__all__)
+
+
+def test_lxml_parses_in_one_file_only() -> None:
+    """Elsewhere an entity or a network address could slip in: `safe_xml` refuses them."""
+    parsers = re.compile(r"etree\.(XMLParser|fromstring|parse|XML|iterparse)\b|ElementTree")
+    found = {
+        str(path.relative_to(ROOT))
+        for path in ROOT.rglob("*.py")
+        if parsers.search(path.read_text(encoding="utf-8"))
+    }
+    assert found == {"_io/xml/safe_xml.py"}
 
 
 def test_files_do_not_import_in_a_cycle() -> None:

@@ -13,6 +13,7 @@ from typing import Any
 from lxml import etree
 
 from .._errors import EngineError
+from .._io.xml.safe_xml import parsed_xml
 from .._robot.serial_arm import SerialArm
 
 __all__ = ["parsed", "root_link", "text_for_engines", "written"]
@@ -51,8 +52,7 @@ def parsed(arm: SerialArm) -> Any:
     """The root element of the arm's URDF, which has passed the strict reading."""
     if arm.source.urdf is None:
         raise EngineError(f"arm {arm.name!r} did not come from a URDF")
-    parser = etree.XMLParser(resolve_entities=False, no_network=True, remove_blank_text=False)
-    return etree.fromstring(arm.source.urdf.encode(), parser)
+    return parsed_xml(arm.source.urdf)
 
 
 def written(root: Any) -> str:

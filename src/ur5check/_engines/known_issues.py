@@ -12,6 +12,7 @@ from dataclasses import replace
 from lxml import etree
 
 from .._errors import UsageError
+from .._io.xml.safe_xml import parsed_xml
 from .._robot.serial_arm import SerialArm
 from .engine_urdf import written
 from .known_issue import KnownIssue
@@ -50,8 +51,7 @@ def repaired_text(urdf: str, key: str) -> tuple[str, tuple[KnownIssue, ...]]:
         raise UsageError(
             f"nothing needs to be rewritten for {key!r}; choose {', '.join(repairable())}"
         )
-    parser = etree.XMLParser(resolve_entities=False, no_network=True)
-    root = etree.fromstring(urdf.encode(), parser)
+    root = parsed_xml(urdf)
     avoided = tuple(issue for issue in known_issues_of(key) if issue.applied(root))
     etree.indent(root)
     return written(root), avoided

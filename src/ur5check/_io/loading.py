@@ -130,9 +130,9 @@ def _kind_by_root(data: bytes, label: str) -> str:
     """Both MuJoCo's models and some URDFs are called .xml; the root element tells."""
     from lxml import etree
 
-    from .xml.safe_xml import checked_xml
+    from .xml.safe_xml import checked_root
 
-    root = etree.fromstring(checked_xml(data, label))
+    root = checked_root(data, label)
     kind = {"mujoco": "mjcf", "robot": "urdf"}.get(root.tag)
     if kind is None:
         raise ModelError(

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from lxml import etree
-
 from .._io.ros_packages import default_packages
 from .._io.shipped_models import lookup
 from .._io.xacro.xacro_reader import expand_xacro
+from .._io.xml.safe_xml import parsed_xml
 from .claim import Claim, ClaimOutcome, Trial, judged
 from .evidence import Evidence
 from .paper_models import Form
@@ -63,7 +62,7 @@ def soft_limit_trial(name: str, form: Form, limits: tuple[SoftLimits, ...]) -> T
 def read_soft_limits(urdf: str) -> tuple[SoftLimits, ...]:
     """Of every joint of a URDF that has a safety_controller."""
     found = []
-    for joint in etree.fromstring(urdf.encode()).iterfind("joint"):
+    for joint in parsed_xml(urdf).iterfind("joint"):
         limit, safety = joint.find("limit"), joint.find("safety_controller")
         if limit is not None and safety is not None:
             hard = (float(limit.get(end)) for end in ("lower", "upper"))

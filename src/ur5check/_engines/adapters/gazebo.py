@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from lxml import etree
-
+from ..._io.xml.safe_xml import parsed_xml
 from ..engine_entry import EngineEntry
 from ..engine_urdf import root_link
 from ..known_issue import KnownIssue
@@ -40,7 +39,7 @@ def _give_base_mass(root: Any) -> None:
         if not any(_mass(links[link]) > 0.0 for link in welded):
             for inertial in links[head].findall("inertial"):
                 links[head].remove(inertial)
-            links[head].append(etree.fromstring(_SOLID_SPHERE))
+            links[head].append(parsed_xml(_SOLID_SPHERE))
 
 
 def _mass(link: Any) -> float:

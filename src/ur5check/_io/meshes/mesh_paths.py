@@ -8,6 +8,7 @@ from lxml import etree
 
 from ..._errors import ModelError
 from ..ros_packages import PackageMap
+from ..xml.safe_xml import parsed_xml
 
 __all__ = ["with_mesh_paths"]
 
@@ -20,7 +21,7 @@ def with_mesh_paths(urdf: str, packages: PackageMap, folder: Path) -> tuple[str,
 
     folder : where the file lies, for relative addresses
     """
-    root = etree.fromstring(urdf.encode(), etree.XMLParser(resolve_entities=False, no_network=True))
+    root = parsed_xml(urdf)
     lost = []
     for mesh in root.findall("link/*/geometry/mesh"):
         address = mesh.get("filename", "")

@@ -100,9 +100,9 @@ class _Reader:
         found = []
         for kind in _KINDS:
             for node in link.iterchildren(kind):
-                contribution = f"link {link.get('name')!r} {kind}"
+                subject = f"link {link.get('name')!r} {kind}"
                 try:
-                    found.append(self._shape(kind, node, contribution, pose))
+                    found.append(self._shape(kind, node, subject, pose))
                 except ModelError as error:
                     self.notes.append(str(error))
         return found
@@ -111,39 +111,37 @@ class _Reader:
         self,
         kind: Literal["collision", "visual"],
         node: Element,
-        contribution: str,
+        subject: str,
         pose: Transform,
     ) -> Shape:
-        place = pose @ Transform.from_rpy(*self.numbers.origin(node, contribution))
-        geometry = self.numbers.child(node, "geometry", contribution)
+        place = pose @ Transform.from_rpy(*self.numbers.origin(node, subject))
+        geometry = self.numbers.child(node, "geometry", subject)
         solid = None if geometry is None else next(geometry.iterchildren("*"), None)
         if solid is None:
-            self.numbers.fail(node, contribution, "has no geometry", "write one, or remove it")
+            self.numbers.fail(node, subject, "has no geometry", "write one, or remove it")
         scale = np.ones(3)
         if solid.tag == "mesh":
             name = solid.get("filename") or ""
             mesh = _read(self.packages.resolve(name, self.folder), name)
-            scale = np.array(self.numbers.triple(solid, "scale", contribution, (1.0, 1.0, 1.0)))
+            scale = np.array(self.numbers.triple(solid, "scale", subject, (1.0, 1.0, 1.0)))
         else:
-            name, mesh = solid.tag, self._primitive(solid, contribution)
+            name, mesh = solid.tag, self._primitive(solid, subject)
         points, volume, closed = _extent(mesh, name)
         vertices = (points * scale) @ place.R.T + place.p
         return Shape(kind, name, vertices, volume * float(abs(scale.prod())), closed)
 
-    def _primitive(self, solid: Element, contribution: str) -> Any:
+    def _primitive(self, solid: Element, subject: str) -> Any:
         from trimesh import creation
 
         if solid.tag == "box":
-            return creation.box(self.numbers.triple(solid, "size", contribution, None))
+            return creation.box(self.numbers.triple(solid, "size", subject, None))
         if solid.tag not in ("cylinder", "sphere"):
-            self.numbers.fail(
-                solid, contribution, f"<{solid.tag}> is no shape of URDF", "use a mesh"
-            )
-        radius = self.numbers.number(solid, "radius", contribution)
+            self.numbers.fail(solid, subject, f"<{solid.tag}> is no shape of URDF", "use a mesh")
+        radius = self.numbers.number(solid, "radius", subject)
         if solid.tag == "sphere":
             return creation.icosphere(radius=float(radius))
         return creation.cylinder(
-            float(radius), float(self.numbers.number(solid, "length", contribution))
+            float(radius), float(self.numbers.number(solid, "length", subject))
         )
 
 

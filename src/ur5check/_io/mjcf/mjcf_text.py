@@ -16,7 +16,7 @@ from lxml import etree
 
 from ..._errors import ModelError
 from ..inertia_checks import Place, check_inertia, printed_tensor
-from ..xml.safe_xml import checked_xml
+from ..xml.safe_xml import checked_root
 from ..xml.xml_numbers import Element, ElementReader
 from ..xml.xml_places import Places
 
@@ -110,8 +110,7 @@ class MjcfText:
 
     def _parsed(self, data: bytes, file: str) -> Element:
         self.read.append((file, data))
-        parser = etree.XMLParser(resolve_entities=False, no_network=True)
-        return etree.fromstring(checked_xml(data, file), parser)
+        return checked_root(data, file)
 
     def _splice(self, include: Element) -> None:
         """What MuJoCo does: the included file's elements in the place of `<include>`."""

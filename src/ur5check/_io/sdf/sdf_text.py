@@ -13,13 +13,12 @@ import re
 from typing import NoReturn
 
 import numpy as np
-from lxml import etree
 
 from ..._errors import ModelError
 from ..._robot import STANDARD_GRAVITY, Inertia, Transform
 from ..inertia_checks import Place, check_inertia, printed_tensor
 from ..printed_numbers import Printed
-from ..xml.safe_xml import checked_xml
+from ..xml.safe_xml import checked_root
 from ..xml.xml_numbers import Element, ElementReader
 from ..xml.xml_places import Places
 
@@ -36,8 +35,7 @@ class SdfText:
 
     def __init__(self, data: bytes, file: str) -> None:
         self.reader = ElementReader(file)
-        parser = etree.XMLParser(resolve_entities=False, no_network=True)
-        self.root = etree.fromstring(checked_xml(data, file), parser)
+        self.root = checked_root(data, file)
         self._check_root()
         self.world, self.model = self._only_model()
         self.name = self.reader.name(self.model)
@@ -71,34 +69,34 @@ class SdfText:
     def inertia(self, name: str) -> Inertia:
         """A moving link's inertia, in the link's frame.  Raises ModelError where a default of
         SDFormat would stand in for a number."""
-        link, contribution = self.links[name], f"link {name!r}"
+        link, subject = self.links[name], f"link {name!r}"
         inertial = self._inertials[name]
         if (link.findtext("gravity") or "true").strip().lower() in ("false", "0"):
             fix = "remove <gravity>: no arm on earth has a link without weight"
-            self.reader.fail(link, contribution, "has its gravity switched off", fix)
+            self.reader.fail(link, subject, "has its gravity switched off", fix)
         if inertial is None:
             problem = "moves and has no <inertial>: SDFormat would give it 1 kg and 1 kg m²"
             fix = "write its <inertial>; a mere frame is a <frame>, not a link"
-            self.reader.fail(link, contribution, problem, fix)
-        contribution += " inertial"
+            self.reader.fail(link, subject, problem, fix)
+        subject += " inertial"
         if (inertial.get("auto") or "false").strip().lower() in ("true", "1"):
             fix = "write <mass> and <inertia>"
-            self.reader.fail(inertial, contribution, "is to be made from shapes (auto)", fix)
-        mass_node = self._part(inertial, "mass", contribution, "1 kg")
-        inertia_node = self._part(inertial, "inertia", contribution, "1 kg m²")
-        (mass,) = self._numbers(mass_node, f"{contribution}/mass", 1)
+            self.reader.fail(inertial, subject, "is to be made from shapes (auto)", fix)
+        mass_node = self._part(inertial, "mass", subject, "1 kg")
+        inertia_node = self._part(inertial, "inertia", subject, "1 kg m²")
+        (mass,) = self._numbers(mass_node, f"{subject}/mass", 1)
         entries = {}
         for entry in _ENTRIES:
             default = "1 kg m²" if entry[1] == entry[2] else "0"
-            node = self._part(inertia_node, entry, f"{contribution}/inertia", default)
-            (entries[entry],) = self._numbers(node, f"{contribution}/inertia/{entry}", 1)
+            node = self._part(inertia_node, entry, f"{subject}/inertia", default)
+            (entries[entry],) = self._numbers(node, f"{subject}/inertia/{entry}", 1)
         tensor, rounding = printed_tensor(dict(entries))
         place = Place(
-            self.reader.file, f"{contribution}/", mass_node.sourceline, inertia_node.sourceline
+            self.reader.file, f"{subject}/", mass_node.sourceline, inertia_node.sourceline
         )
         check_inertia(mass, tensor, place, rounding=rounding, point_mass=True)
         own = Inertia(mass, np.zeros(3), tensor)
-        return own.expressed_in(self._pose(inertial, contribution))
+        return own.expressed_in(self._pose(inertial, subject))
 
     def losses(self, joint: str) -> tuple[float, float]:
         """A joint's damping and friction; zero where the file names none."""
@@ -165,28 +163,28 @@ class SdfText:
         return named
 
     def _check_joint(self, name: str, joint: Element) -> None:
-        contribution = f"joint {name!r}"
-        axis = self.reader.child(joint, "axis", contribution)
+        subject = f"joint {name!r}"
+        axis = self.reader.child(joint, "axis", subject)
         if axis is None:
             return
-        xyz = self.reader.child(axis, "xyz", contribution)
-        if xyz is not None and not any(self._numbers(xyz, f"{contribution} axis", 3)):
+        xyz = self.reader.child(axis, "xyz", subject)
+        if xyz is not None and not any(self._numbers(xyz, f"{subject} axis", 3)):
             self.fail(
-                xyz, f"{contribution} axis", "is zero", "write a direction, such as 0 0 1", xyz.text
+                xyz, f"{subject} axis", "is zero", "write a direction, such as 0 0 1", xyz.text
             )
-        limit = self.reader.child(axis, "limit", contribution)
+        limit = self.reader.child(axis, "limit", subject)
         if limit is not None:
             values = {}
             for node in limit.iterchildren("lower", "upper", "effort", "velocity"):
-                (values[node.tag],) = self._numbers(node, f"{contribution} limit {node.tag}", 1)
+                (values[node.tag],) = self._numbers(node, f"{subject} limit {node.tag}", 1)
             if values.get("lower", -math.inf) > values.get("upper", math.inf):
-                self.fail(limit, f"{contribution} limit", "lower exceeds upper", "swap them")
+                self.fail(limit, f"{subject} limit", "lower exceeds upper", "swap them")
 
-    def _part(self, node: Element, tag: str, contribution: str, default: str) -> Element:
-        part = self.reader.child(node, tag, contribution)
+    def _part(self, node: Element, tag: str, subject: str, default: str) -> Element:
+        part = self.reader.child(node, tag, subject)
         if part is None:
             problem = f"has no <{tag}>: SDFormat would give it {default}"
-            self.fail(node, contribution, problem, f"write <{tag}>")
+            self.fail(node, subject, problem, f"write <{tag}>")
         return part
 
     def _optional(self, node: Element | None, tag: str, joint: str) -> float:
@@ -196,21 +194,19 @@ class SdfText:
         (value,) = self._numbers(part, f"joint {joint!r} dynamics {tag}", 1)
         return value
 
-    def _pose(self, node: Element, contribution: str) -> Transform:
-        pose = self.reader.child(node, "pose", contribution)
+    def _pose(self, node: Element, subject: str) -> Transform:
+        pose = self.reader.child(node, "pose", subject)
         if pose is None:
             return Transform.identity()
-        contribution += " pose"
+        subject += " pose"
         if pose.get("relative_to"):
-            self.fail(
-                pose, contribution, "is relative to another frame", "write it in the link's frame"
-            )
+            self.fail(pose, subject, "is relative to another frame", "write it in the link's frame")
         if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
-            x, y, z, *xyz_w = self._numbers(pose, contribution, 7)
+            x, y, z, *xyz_w = self._numbers(pose, subject, 7)
             return Transform.from_quaternion((x, y, z), (xyz_w[3], *xyz_w[:3]))
-        x, y, z, *rpy = self._numbers(pose, contribution, 6)
+        x, y, z, *rpy = self._numbers(pose, subject, 6)
         in_degrees = (pose.get("degrees") or "false").strip().lower() in ("true", "1")
         return Transform.from_rpy((x, y, z), [math.radians(a) for a in rpy] if in_degrees else rpy)
 
-    def _numbers(self, node: Element, contribution: str, count: int) -> list[Printed]:
-        return self.reader.text_numbers(node, contribution, count)
+    def _numbers(self, node: Element, subject: str, count: int) -> list[Printed]:
+        return self.reader.text_numbers(node, subject, count)

@@ -14,6 +14,7 @@ from lxml import etree
 
 from ..inertia_checks import Place, check_inertia, printed_tensor
 from ..suggestions import did_you_mean
+from ..xml.safe_xml import parsed_xml
 from ..xml.xml_numbers import Element, ElementReader
 from .urdf_tree import check_tree
 
@@ -33,14 +34,14 @@ _OTHER_FORMATS = {
 def check_urdf(data: bytes, file: str) -> Element:
     """The root element of a URDF in which nothing is wrong, as lxml reads it.
 
-    data : well-formed XML (`xml_text.checked_xml` sees to that)
+    data : well-formed XML (`checked_xml` sees to that)
     file : what errors call it
 
     Raises ModelError for the first fault, in this order: the root; what is not expanded; names,
     types, parents and children; the tree; then the numbers, in document order.
     """
     reader = ElementReader(file)
-    root = etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True))
+    root = parsed_xml(data)
     _check_root(root, reader)
     _check_expanded(root, reader)
     reader.name(root)
@@ -112,24 +113,22 @@ def _check_type(name: str, joint: Element, reader: ElementReader) -> None:
 
 
 def _check_link(name: str, link: Element, reader: ElementReader) -> None:
-    contribution = f"link {name!r}"
-    inertial = reader.child(link, "inertial", contribution)
+    subject = f"link {name!r}"
+    inertial = reader.child(link, "inertial", subject)
     if inertial is None:
         return
-    contribution += " inertial"
-    reader.origin(inertial, contribution)
+    subject += " inertial"
+    reader.origin(inertial, subject)
     parts: dict[str, Element] = {
-        tag: reader.child(inertial, tag, contribution) for tag in ("mass", "inertia")
+        tag: reader.child(inertial, tag, subject) for tag in ("mass", "inertia")
     }
     for tag, part in parts.items():
         if part is None:
             fix = f"write <{tag}>, or leave the whole <inertial> out for a massless frame"
-            reader.fail(inertial, contribution, f"has no <{tag}>", fix)
-    mass = reader.number(parts["mass"], "value", f"{contribution}/mass")
-    entries = {e: reader.number(parts["inertia"], e, f"{contribution}/inertia") for e in ENTRIES}
-    place = Place(
-        reader.file, f"{contribution}/", parts["mass"].sourceline, parts["inertia"].sourceline
-    )
+            reader.fail(inertial, subject, f"has no <{tag}>", fix)
+    mass = reader.number(parts["mass"], "value", f"{subject}/mass")
+    entries = {e: reader.number(parts["inertia"], e, f"{subject}/inertia") for e in ENTRIES}
+    place = Place(reader.file, f"{subject}/", parts["mass"].sourceline, parts["inertia"].sourceline)
     tensor, rounding = printed_tensor(dict(entries))
     # A point mass is the limit of small bodies: welded to a link it is as good as any other, and
     # force sensors are often written so.  One that moves alone is refused once links are merged.
@@ -139,65 +138,63 @@ def _check_link(name: str, link: Element, reader: ElementReader) -> None:
 def _check_joint(
     name: str, joint: Element, joints: dict[str, Element], reader: ElementReader
 ) -> None:
-    contribution = f"joint {name!r}"
+    subject = f"joint {name!r}"
     kind = joint.get("type")
-    reader.origin(joint, contribution)
-    axis = reader.child(joint, "axis", contribution)
+    reader.origin(joint, subject)
+    axis = reader.child(joint, "axis", subject)
     if axis is not None:
-        direction = reader.triple(axis, "xyz", f"{contribution} axis", None)
+        direction = reader.triple(axis, "xyz", f"{subject} axis", None)
         # Exporters write a zero axis into fixed joints, where it means nothing.
         if kind in _WITH_AXIS and not any(direction):
             fix = "write the direction in the joint's frame, such as 0 0 1"
-            reader.fail(axis, f"{contribution} axis", "is zero", fix, axis.get("xyz"))
-    _check_limit(contribution, kind, joint, reader)
-    _check_losses(contribution, joint, reader)
-    mimic = reader.child(joint, "mimic", contribution)
+            reader.fail(axis, f"{subject} axis", "is zero", fix, axis.get("xyz"))
+    _check_limit(subject, kind, joint, reader)
+    _check_losses(subject, joint, reader)
+    mimic = reader.child(joint, "mimic", subject)
     if mimic is not None:
         followed = mimic.get("joint")
         if followed not in joints or followed == name:
             problem = "names no other joint of this file"
             fix = did_you_mean(followed or "", set(joints) - {name})
-            reader.fail(mimic, f"{contribution} mimic", problem, fix, followed)
+            reader.fail(mimic, f"{subject} mimic", problem, fix, followed)
         for attribute in ("multiplier", "offset"):
-            reader.optional_number(mimic, attribute, f"{contribution} mimic")
+            reader.optional_number(mimic, attribute, f"{subject} mimic")
 
 
-def _check_losses(contribution: str, joint: Element, reader: ElementReader) -> None:
-    losses = reader.child(joint, "dynamics", contribution)
+def _check_losses(subject: str, joint: Element, reader: ElementReader) -> None:
+    losses = reader.child(joint, "dynamics", subject)
     if losses is None:
         return
     for key in ("damping", "friction"):
-        value = reader.optional_number(losses, key, f"{contribution} dynamics")
+        value = reader.optional_number(losses, key, f"{subject} dynamics")
         if value is not None and value < 0.0:
             fix = "a bearing takes energy, it gives none: write it positive"
-            reader.fail(
-                losses, f"{contribution} dynamics {key}", "is negative", fix, losses.get(key)
-            )
+            reader.fail(losses, f"{subject} dynamics {key}", "is negative", fix, losses.get(key))
 
 
-def _check_limit(contribution: str, kind: str, joint: Element, reader: ElementReader) -> None:
-    limit = reader.child(joint, "limit", contribution)
-    contribution += " limit"
+def _check_limit(subject: str, kind: str, joint: Element, reader: ElementReader) -> None:
+    limit = reader.child(joint, "limit", subject)
+    subject += " limit"
     needed = kind in ("revolute", "prismatic")
     if limit is None:
         if needed:
             fix = "write <limit lower upper effort velocity>, or type='continuous'"
-            reader.fail(joint, contribution, f"is missing, which a {kind} joint must have", fix)
+            reader.fail(joint, subject, f"is missing, which a {kind} joint must have", fix)
         return
     names = ("lower", "upper", "effort", "velocity")
-    values = {key: reader.optional_number(limit, key, contribution) for key in names}
+    values = {key: reader.optional_number(limit, key, subject) for key in names}
     if needed:
         for key in ("effort", "velocity"):
-            reader.number(limit, key, contribution)
+            reader.number(limit, key, subject)
         if values["lower"] is None and values["upper"] is None:
             fix = "write lower and upper: left out they are 0, and the joint could not move"
-            reader.fail(limit, contribution, "lower and upper are missing", fix)
+            reader.fail(limit, subject, "lower and upper are missing", fix)
     for key in ("effort", "velocity"):
         value = values[key]
         if value is not None and value < 0.0:
             fix = "it bounds a magnitude: write it positive"
-            reader.fail(limit, f"{contribution} {key}", "is negative", fix, limit.get(key))
+            reader.fail(limit, f"{subject} {key}", "is negative", fix, limit.get(key))
     lower, upper = values["lower"] or 0.0, values["upper"] or 0.0
     if needed and lower > upper:
         shown = f"lower={limit.get('lower')} upper={limit.get('upper')}"
-        reader.fail(limit, contribution, "lower exceeds upper", "swap them", shown)
+        reader.fail(limit, subject, "lower exceeds upper", "swap them", shown)

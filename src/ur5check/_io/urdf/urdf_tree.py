@@ -34,15 +34,13 @@ def check_tree(
 def _end(
     name: str, joint: Element, tag: str, links: dict[str, Element], reader: ElementReader
 ) -> str:
-    contribution = f"joint {name!r} {tag}"
+    subject = f"joint {name!r} {tag}"
     element = reader.child(joint, tag, f"joint {name!r}")
     if element is None or element.get("link") is None:
-        reader.fail(joint, contribution, "is missing", f'write <{tag} link="…"/>')
+        reader.fail(joint, subject, "is missing", f'write <{tag} link="…"/>')
     link = str(element.get("link"))
     if link not in links:
-        reader.fail(
-            element, contribution, "is no link of this file", did_you_mean(link, links), link
-        )
+        reader.fail(element, subject, "is no link of this file", did_you_mean(link, links), link)
     return link
 
 

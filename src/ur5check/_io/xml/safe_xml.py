@@ -1,4 +1,4 @@
-"""Is this XML that every reader reads alike?  Asked of the bytes, before anyone interprets them.
+"""The one place where lxml parses: XML that every reader reads alike, and nothing else.
 
 A robot description is read by several parsers (this program's, xacro's, each engine's own), and
 they are strict about different things.  What they could read differently is refused here: an
@@ -12,8 +12,9 @@ import re
 from lxml import etree
 
 from ..._errors import ModelError
+from .xml_numbers import Element
 
-__all__ = ["checked_xml"]
+__all__ = ["checked_root", "checked_xml", "parsed_xml"]
 
 # An XML declaration, from which only the encoding is wanted (XML 1.0, productions 23 and 80).
 _ENCODING = re.compile(rb"""\A<\?xml\s[^>]*?\bencoding\s*=\s*["']([^"']*)["']""")
@@ -42,6 +43,12 @@ def checked_xml(data: bytes, file: str) -> bytes:
 
     Raises ModelError, with the line where there is one.
     """
+    checked_root(data, file)
+    return data
+
+
+def checked_root(data: bytes, file: str) -> Element:
+    """The root element of a file.  Raises ModelError as `checked_xml` does."""
     if not data.strip():
         raise ModelError("the file is empty", fix="give a robot description", file=file)
     _check_encoding(data, file)
@@ -54,12 +61,8 @@ def checked_xml(data: bytes, file: str) -> bytes:
             line=_line_at(data, doctype.end()),
             element="<!DOCTYPE>",
         )
-    # Neither parser errors are repaired (recover) nor deep or huge trees accepted (huge_tree).
-    parser = etree.XMLParser(
-        resolve_entities=False, no_network=True, load_dtd=False, recover=False, huge_tree=False
-    )
     try:
-        etree.fromstring(data, parser)
+        return parsed_xml(data)
     except etree.XMLSyntaxError as error:
         raise ModelError(
             f"the file is not well-formed XML: {_reason(error)}",
@@ -67,7 +70,17 @@ def checked_xml(data: bytes, file: str) -> bytes:
             file=file,
             line=error.lineno or None,
         ) from None
-    return data
+
+
+def parsed_xml(data: bytes | str) -> Element:
+    """The root of text that was checked before.  Raises lxml's XMLSyntaxError if it was not.
+
+    Neither parser errors are repaired (recover) nor deep or huge trees accepted (huge_tree).
+    """
+    parser = etree.XMLParser(
+        resolve_entities=False, no_network=True, load_dtd=False, recover=False, huge_tree=False
+    )
+    return etree.fromstring(data.encode() if isinstance(data, str) else data, parser)
 
 
 def _check_encoding(data: bytes, file: str) -> None:

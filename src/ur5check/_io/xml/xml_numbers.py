@@ -16,7 +16,7 @@ Element = Any  # lxml.etree._Element: lxml ships no types
 class ElementReader:
     """Reads elements of one file; knows the file's name and says where each fault stands.
 
-    `contribution` is the link or joint that an element belongs to, as in "link 'forearm'
+    `subject` is the link or joint that an element belongs to, as in "link 'forearm'
     inertial/mass".
     """
 
@@ -43,41 +43,39 @@ class ElementReader:
             self.fail(node, f"<{node.tag}>", "has no name", fix, value=name)
         return str(name)
 
-    def child(self, node: Element, tag: str, contribution: str) -> Element | None:
+    def child(self, node: Element, tag: str, subject: str) -> Element | None:
         """The only child of this tag, or None; two of them are one too many."""
         found = node.findall(tag)
         if len(found) > 1:
             self.fail(
                 found[1],
-                contribution,
+                subject,
                 f"has several <{tag}> elements",
                 "keep one: readers differ on which",
             )
         return found[0] if found else None
 
-    def number(self, node: Element, attribute: str, contribution: str) -> Printed:
+    def number(self, node: Element, attribute: str, subject: str) -> Printed:
         """A required attribute that holds one plain number."""
         text = node.get(attribute)
         if text is None:
-            self.fail(node, contribution, f"{attribute} is missing", f'write {attribute}="…"')
-        return self._plain(node, f"{contribution} {attribute}", text, text)
+            self.fail(node, subject, f"{attribute} is missing", f'write {attribute}="…"')
+        return self._plain(node, f"{subject} {attribute}", text, text)
 
-    def optional_number(self, node: Element, attribute: str, contribution: str) -> Printed | None:
-        return None if node.get(attribute) is None else self.number(node, attribute, contribution)
+    def optional_number(self, node: Element, attribute: str, subject: str) -> Printed | None:
+        return None if node.get(attribute) is None else self.number(node, attribute, subject)
 
     def triple(
-        self, node: Element, attribute: str, contribution: str, default: Sequence[float] | None
+        self, node: Element, attribute: str, subject: str, default: Sequence[float] | None
     ) -> tuple[float, float, float]:
         """An attribute of three plain numbers; `default` where it is left out, if there is one."""
         text = node.get(attribute)
         if text is None:
             if default is None:
-                self.fail(
-                    node, contribution, f"{attribute} is missing", f'write {attribute}="x y z"'
-                )
+                self.fail(node, subject, f"{attribute} is missing", f'write {attribute}="x y z"')
             a, b, c = default
             return a, b, c
-        where = f"{contribution} {attribute}"
+        where = f"{subject} {attribute}"
         words = text.split()
         numbers = [self._plain(node, where, word, text) for word in words]
         if len(numbers) != 3:
@@ -86,31 +84,29 @@ class ElementReader:
         a, b, c = numbers
         return a, b, c
 
-    def numbers(self, node: Element, attribute: str, contribution: str) -> list[Printed]:
+    def numbers(self, node: Element, attribute: str, subject: str) -> list[Printed]:
         """An attribute of plain numbers, however many."""
         text = str(node.get(attribute))
-        return [
-            self._plain(node, f"{contribution} {attribute}", word, text) for word in text.split()
-        ]
+        return [self._plain(node, f"{subject} {attribute}", word, text) for word in text.split()]
 
-    def text_numbers(self, node: Element, contribution: str, count: int) -> list[Printed]:
+    def text_numbers(self, node: Element, subject: str, count: int) -> list[Printed]:
         """An element's own text: `count` plain numbers."""
         text = node.text or ""
         words = text.split()
-        numbers = [self._plain(node, contribution, word, text) for word in words]
+        numbers = [self._plain(node, subject, word, text) for word in words]
         if len(numbers) != count:
             problem = f"takes {count} number{'s' if count > 1 else ''}, not {len(numbers)}"
-            self.fail(node, contribution, problem, "write them, parted by spaces", text)
+            self.fail(node, subject, problem, "write them, parted by spaces", text)
         return numbers
 
     def origin(
-        self, node: Element, contribution: str
+        self, node: Element, subject: str
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Both xyz [m] and rpy [rad] of the node's `<origin>`; zeros where it has none."""
-        origin = self.child(node, "origin", contribution)
+        origin = self.child(node, "origin", subject)
         if origin is None:
             return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-        where = f"{contribution} origin"
+        where = f"{subject} origin"
         zero = (0.0, 0.0, 0.0)
         return self.triple(origin, "xyz", where, zero), self.triple(origin, "rpy", where, zero)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from lxml import etree
 
+from .safe_xml import parsed_xml
 from .xml_numbers import Element
 
 __all__ = ["Places"]
@@ -18,7 +19,7 @@ class Places:
 
     def __init__(self, root: Element) -> None:
         self.text: str = etree.tostring(root, encoding="unicode")
-        again = etree.fromstring(self.text).iter(etree.Element)
+        again = parsed_xml(self.text).iter(etree.Element)
         self._at: dict[int, Element] = {}
         for written, original in zip(again, root.iter(etree.Element), strict=True):
             self._at.setdefault(written.sourceline, original)
