@@ -224,13 +224,13 @@ def _case(
     first, equals, place = "", (), ()
     detected = False
     if said is not None:
-        if said.findings:
-            first, equals = said.findings[0].id, said.findings[0].equals
-            place = said.findings[0].links
-        detected = bool(said.findings) or _stands_out(said, planting, noise)
+        if said.mistakes:
+            first, equals = said.mistakes[0].id, said.mistakes[0].equals
+            place = said.mistakes[0].links
+        detected = bool(said.mistakes) or _stands_out(said, planting, noise)
         places = f" in {', '.join(map(str, place))}" if place else ""
         others = f" (or {', '.join(equals)})" if equals else ""
-        rest = f"; {len(said.findings)} findings, {len(said.unexplained)} unexplained"
+        rest = f"; {len(said.mistakes)} findings, {len(said.unexplained)} unexplained"
         answer = (first or "nothing") + others + places + rest
     listed = planting.mistake in (first, *equals)
     return Case(
@@ -316,7 +316,7 @@ def _clean(number: int, *, seed: int, arms: tuple[str, ...], without_lengths: in
     said = diagnose(pair_up(arm, other), _states(arm.n, seed))
     seconds = time.perf_counter() - start
     findings = tuple(
-        f"{finding.id} in {', '.join(map(str, finding.links))}" for finding in said.findings
+        f"{finding.id} in {', '.join(map(str, finding.links))}" for finding in said.mistakes
     )
     return Clean(name, number, level, lengths, findings, seconds)
 

@@ -78,7 +78,7 @@ def test_diff_exits_as_diff_does(ur5check: Command) -> None:
     assert ur5check("diff", "paper", "paper", *FEW, "--quick").code == 0
     said = ur5check("diff", "paper-listing", "paper", *FEW, "--quick")
     assert said.code == 1
-    assert "\n\nDIFFER: paper-listing and paper ask for different torques" in said.out
+    assert "\n\nDIFFER: paper-listing and paper need different torques" in said.out
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ import pytest
 from repository import REPOSITORY
 
 DOCS = REPOSITORY / "docs"
-PAGES = ("what-torque-cannot-see.md", "error-budget.md", "attribution.md")
+PAGES = ("identifiability.md", "error-budget.md", "attribution.md")
 BLOCK = re.compile(r"^```python\n(.*?)^```\n+(?:```text\n(.*?)^```)?", re.M | re.S)
 
 

@@ -91,7 +91,9 @@ def test_case_2_is_over_half_too_large_and_case_9_of_the_wrong_sign(
 
 
 def test_the_listings_own_slips_explain_all_of_it(reproduction: Reproduction) -> None:
-    found = {finding.id: finding.links for finding in reproduction.listing_mistakes.findings}
+    found = {
+        finding.id: finding.links for finding in reproduction.listing_mistakes.diagnosis.mistakes
+    }
     assert found["length-sign"] == (2, 3, 5)
     assert found["rotation-rounded"] == (1, 4, 5)
     for effect in reproduction.effects:

@@ -62,14 +62,14 @@ def test_a_quick_report_gives_no_reasons(difference: Difference) -> None:
 def test_every_finding_has_its_evidence(document: Document, explanation: Explanation) -> None:
     evidence, words, details, *_ = section(document, "What went wrong").tables
     diagnosis = explanation.diagnosis
-    by_id = {finding.id: finding for finding in diagnosis.findings}
+    by_id = {finding.id: finding for finding in diagnosis.mistakes}
     assert sorted(column(evidence, "mistake")) == sorted(by_id)
     for id_, removes in zip(column(evidence, "mistake"), column(evidence, "removes"), strict=True):
         finding = by_id[id_]
         moved = finding.before != finding.after
         assert removes == (f"{100 * removed(finding, diagnosis):.1f} %" if moved else "–")
     assert len(words.rows) == len(evidence.rows)
-    assert len(details.rows) == sum(len(finding.details) for finding in diagnosis.findings)
+    assert len(details.rows) == sum(len(finding.links) for finding in diagnosis.mistakes)
 
 
 def test_what_changes_no_torque_comes_last(equal: Explanation) -> None:
@@ -79,8 +79,8 @@ def test_what_changes_no_torque_comes_last(equal: Explanation) -> None:
     evidence, words, *_ = findings_section(explanation).tables
     assert column(evidence, "mistake")[-1] == "base-turned"
     assert column(evidence, "removes")[-1] == "–"
-    findings = tuple(replace(f, equals=("mass-digits",)) for f in explanation.diagnosis.findings)
-    tied = replace(explanation, diagnosis=replace(explanation.diagnosis, findings=findings))
+    mistakes = tuple(replace(f, equals=("mass-digits",)) for f in explanation.diagnosis.mistakes)
+    tied = replace(explanation, diagnosis=replace(explanation.diagnosis, mistakes=mistakes))
     _, words, *_ = findings_section(tied).tables
     assert any("Explained as well by: " in cell for cell in column(words, "what happened"))
 

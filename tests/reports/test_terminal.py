@@ -65,7 +65,7 @@ def test_the_first_screen_tells_it(explanation: Explanation) -> None:
     d = explanation.difference
     screen = render_text(diff_document(d, explanation), width=100).splitlines()[:24]
     assert screen[2].startswith("DIFFER: ")
-    dearest = max(explanation.diagnosis.findings, key=lambda f: f.before - f.after)
+    dearest = max(explanation.diagnosis.mistakes, key=lambda f: f.before - f.after)
     assert any(re.match(rf"\d  {re.escape(dearest.id)} ", line) for line in screen)
 
 

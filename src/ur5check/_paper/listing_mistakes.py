@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._comparison.arm_pair import pair_up
-from .._comparison.diagnosis.diagnosis import Finding, diagnose
+from .._comparison.diagnosis.diagnosis import Diagnosis, diagnose
 from .._dynamics.equations import gravity_torque
 from .._robot.serial_arm import SerialArm
 from .._robot.states import random_states
@@ -27,12 +27,12 @@ _SAMPLES, _SEED = 1_000, 0
 class ListingMistakes:
     """What diagnosis found in the listing, held against Table 1.
 
-    findings : the mistakes, in the order of repairing
+    diagnosis : the mistakes, in the order of repairing
     repaired : the listing less those that are its own, under the gravity of Table 1's arm
-    samples, seed : random states by which a finding's worth was measured
+    samples, seed : random states at which the effect of each mistake was measured
     """
 
-    findings: tuple[Finding, ...]
+    diagnosis: Diagnosis
     repaired: SerialArm
     samples: int
     seed: int
@@ -65,7 +65,7 @@ def find_listing_mistakes(listing: SerialArm, table_1: SerialArm) -> ListingMist
     """Let diagnosis look."""
     found = diagnose(pair_up(listing, table_1), random_states(listing.n, _SAMPLES, _SEED))
     repaired = found.repaired_a.with_gravity(table_1.gravity)
-    return ListingMistakes(found.findings, repaired, _SAMPLES, _SEED)
+    return ListingMistakes(found, repaired, _SAMPLES, _SEED)
 
 
 def mistake_effect(listing_mistakes: ListingMistakes, printed: Run, table: Run) -> MistakeEffect:

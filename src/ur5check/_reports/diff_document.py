@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
-from .._comparison.difference_summary import summarize as summarize_difference
 from .._comparison.explanation import Explanation
 from .diff_sections.attribution_table import contributions_section
 from .diff_sections.implausible_bodies import bodies_section
@@ -13,6 +12,7 @@ from .diff_sections.numbers_side_by_side import numbers_section
 from .diff_sections.rounded_digits import digits_section
 from .diff_sections.unidentifiable import unseen_section
 from .diff_sections.worst_configuration import worst_section
+from .difference_summary import summarize as summarize_difference
 from .document import Document, Section, Verdict
 from .explanation_summary import summarize as summarize_explanation
 from .provenance import Provenance, inputs_of

@@ -8,7 +8,7 @@ import numpy as np
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
-from .._comparison.difference_summary import summarize as summarize_difference
+from .difference_summary import summarize as summarize_difference
 from .json_head import json_head
 from .json_values import Report, alignment_value, inertia_value, model_value, strict
 from .validate_summary import summarize as summarize_validation

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .._comparison.difference_summary import listed
 from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.fleet_comparison import FleetReport
 from .._engines.audit.import_difference import ImportDifference, Kind
 from .._engines.registry import REFERENCE, REGISTRY
+from .wording import joined
 
 __all__ = ["deed", "fleet_verdict", "summarize"]
 
@@ -123,13 +123,13 @@ def _verdict(report: EngineReport, model: str, limit: float) -> str:
     others = [r for r in stage.readings if r.key not in same]
     if len(stage.readings) == 1:
         return "Only our own recursion has read it: install another engine to compare."
-    names = listed([REGISTRY[key].title for key in same])
+    names = joined([REGISTRY[key].title for key in same])
     said = f"{names} hold the same robot" if len(same) > 1 else f"No engine agrees with {names}"
     said += "; " + "; ".join(_deviant(report, r) for r in others) if others else ""
     repairable = [r.key for r in others if _is_repaired(report, r.key, limit)]
     if not repairable:
         return f"{said}."
-    commands = listed([f"`ur5check expand {model} --for {key}`" for key in repairable])
+    commands = joined([f"`ur5check expand {model} --for {key}`" for key in repairable])
     return f"{said}. {commands} {'repairs it' if len(repairable) == 1 else 'repair it'}."
 
 
@@ -157,7 +157,7 @@ def _repairs(report: EngineReport, limit: float) -> str:
     left = [f"{r.title} does not take the model" for r in report.repaired.refusals] + (
         [f"torques differ by up to {_force(worst)}"] if worst > limit else []
     )
-    return f"With the fixes {listed(left)}."
+    return f"With the fixes {joined(left)}."
 
 
 def _use(reading: Reading) -> str:
@@ -168,12 +168,12 @@ def _use(reading: Reading) -> str:
     differ = [kind for kind in _LOST if kinds[kind]]
     lost = [k for k in differ if all(one.imported in _NOTHING for one in _alike(reading, k))]
     other = [kind for kind in differ if kind not in lost]
-    without = listed([_LOST[kind] for kind in lost]).replace(" and ", " or ") if lost else ""
+    without = joined([_LOST[kind] for kind in lost]).replace(" and ", " or ") if lost else ""
     notes = [f"keeps no {without}"] if lost else []
     if other:
-        notes.append(f"keeps other {listed([_LOST[kind] for kind in other])} than the file")
+        notes.append(f"keeps other {joined([_LOST[kind] for kind in other])} than the file")
     notes += [words for kind, words in _NOTES.items() if kinds[kind]]
-    return f"{reading.title} {listed(notes)}." if notes else ""
+    return f"{reading.title} {joined(notes)}." if notes else ""
 
 
 def _alike(reading: Reading, kind: Kind) -> list[ImportDifference]:

@@ -14,8 +14,9 @@ from .._comparison.explanation import Explanation
 from .._comparison.plausibility.plausible_body import Plausibility
 from .._comparison.rounding.error_budget import ErrorBudget
 from .._comparison.worst_case.worst_case import WorstCase
-from .explanation_summary import removed, summarize
+from .explanation_summary import equivalence_in_words, removed, summarize
 from .json_values import Report
+from .mistake_sentences import advice, details, remark, sentence
 
 __all__ = ["attribution_value", "explanation_value"]
 
@@ -34,10 +35,15 @@ def explanation_value(e: Explanation) -> Report:
         "identifiability": _identifiability(e),
         "error_budget": _budget(e.budget),
         "worst_case": [_worst(e, case) for case in e.worst],
-        "diagnosis": _findings(e.diagnosis),
+        "diagnosis": _mistakes(e.diagnosis),
         "unexplained": [
-            {"link": s.link + 1, "quantity": s.quantity, "gap": s.gap, "sentence": remark}
-            for s, remark in zip(e.diagnosis.unexplained, e.diagnosis.remarks, strict=True)
+            {
+                "link": mismatch.link + 1,
+                "quantity": mismatch.quantity,
+                "gap": mismatch.gap,
+                "sentence": remark(mismatch, e.diagnosis),
+            }
+            for mismatch in e.diagnosis.unexplained
         ],
         "plausibility": [*_plausibility("a", e.plausible_a), *_plausibility("b", e.plausible_b)],
     }
@@ -71,7 +77,7 @@ def _identifiability(e: Explanation) -> Report:
         "invisible": seen.names_of("invisible"),
         "combinations": seen.combinations(),
         "equivalent": e.equivalence.dynamically_equivalent,
-        "sentence": e.equivalence.sentence,
+        "sentence": equivalence_in_words(e.equivalence),
     }
 
 
@@ -101,22 +107,23 @@ def _worst(e: Explanation, case: WorstCase) -> Report:
     return {**value, "joint": None if case.joint is None else joints[case.joint - 1].name}
 
 
-def _findings(diagnosis: Diagnosis) -> list[Report]:
+def _mistakes(diagnosis: Diagnosis) -> list[Report]:
     return [
         {
-            "id": finding.id,
-            "side": finding.side,
-            "where": finding.links,
-            "sentence": finding.sentence,
-            "details": finding.details,
-            "advice": finding.advice,
-            "before": finding.before,
-            "after": finding.after,
-            "removes": removed(finding, diagnosis),
-            "choices": finding.choices,
-            "equals": finding.equals,
+            "id": found.id,
+            "rules": [mistake.rule_id for mistake in found.mistakes],
+            "side": found.side,
+            "where": found.links,
+            "sentence": sentence(found, diagnosis.pair),
+            "details": details(found),
+            "advice": advice(found),
+            "before": found.before,
+            "after": found.after,
+            "removes": removed(found, diagnosis),
+            "choices": found.choices,
+            "equals": found.equals,
         }
-        for finding in diagnosis.findings
+        for found in diagnosis.mistakes
     ]
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._comparison import difference_summary as difference_summary
-from .._comparison.diagnosis.diagnosis import Diagnosis, Finding
+from .._comparison.diagnosis.diagnosis import Diagnosis, RecognizedMistake
 from .._comparison.explanation import Explanation
+from .._comparison.identifiability.equivalence import TOLERANCE, Equivalence
+from . import difference_summary
+from .mistake_sentences import sentence
+from .wording import joined
 
-__all__ = ["summarize"]
+__all__ = ["equivalence_in_words", "removed", "summarize"]
 
 _WORTH_A_LINE = 0.01  # of the RMS difference: mistakes that cost less are left to the table
 _MOST_MISTAKES = 4
@@ -17,11 +20,13 @@ _MOST_MISTAKES = 4
 def summarize(explanation: Explanation) -> tuple[str, ...]:
     """The verdict, the mistakes that explain it, what they leave, the worst posture."""
     difference = explanation.difference
-    told = difference_summary.summarize(difference)
+    summary = difference_summary.summarize(difference)
     if difference.agrees:
         same = explanation.equivalence
-        return told if same.same_numbers else (told[0], same.sentence, *told[1:])
-    verdict, geometry, *_ = told
+        if same.same_numbers:
+            return summary
+        return summary[0], equivalence_in_words(same), *summary[1:]
+    verdict, geometry, *_ = summary
     lines = [verdict]
     if difference.pair.alignment.exact:
         lines.append(geometry)
@@ -31,37 +36,50 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
     return tuple(line for line in lines if line)
 
 
-def removed(finding: Finding, diagnosis: Diagnosis) -> float:
-    """Part of the whole RMS difference that repairing a finding removes."""
+def equivalence_in_words(equivalence: Equivalence) -> str:
+    """Whether two arms differ only in what torques do not show."""
+    if not equivalence.dynamically_equivalent:
+        if float(equivalence.visible.max()) <= TOLERANCE * equivalence.largest:
+            return "The inertias are dynamically equivalent; geometry or gravity is not."
+        most = equivalence.visible.max()
+        return f"The inertias are not dynamically equivalent: up to {most:.3g} N m apart."
+    if equivalence.same_numbers:
+        return "Same numbers, same dynamics."
+    return "Different numbers, same dynamics: the difference lies in the null space of Y."
+
+
+def removed(found: RecognizedMistake, diagnosis: Diagnosis) -> float:
+    """Part of the whole RMS difference that repairing a mistake removes."""
     if diagnosis.before == 0.0:
         return 0.0
-    return (finding.before - finding.after) / diagnosis.before
+    return (found.before - found.after) / diagnosis.before
 
 
 def _mistakes(diagnosis: Diagnosis) -> list[str]:
-    summary = [f for f in diagnosis.findings if removed(f, diagnosis) > _WORTH_A_LINE]
-    if not summary:
+    worth_a_line = [f for f in diagnosis.mistakes if removed(f, diagnosis) > _WORTH_A_LINE]
+    if not worth_a_line:
         return ["No single known mistake explains the difference."]
     return [
-        f"{f.sentence}; repairing it removes {removed(f, diagnosis):.0%} of the difference."
-        for f in summary[:_MOST_MISTAKES]
+        f"{sentence(f, diagnosis.pair)}; repairing it removes {removed(f, diagnosis):.0%} of the "
+        "difference."
+        for f in worth_a_line[:_MOST_MISTAKES]
     ]
 
 
 def _rest(explanation: Explanation) -> str:
     diagnosis = explanation.diagnosis
-    if not diagnosis.findings:
+    if not diagnosis.mistakes:
         return difference_summary.contributions_in_words(explanation.difference)
     left = f"{diagnosis.after:.2g} N m RMS of {diagnosis.before:.3g} are left"
     if diagnosis.after <= 1e-9 * diagnosis.before:
-        return "With everything repaired nothing is left."
+        return "With everything repaired no difference is left."
     unnamed = [
         f"link {s.link + 1}'s {s.quantity}"
         for s in sorted(diagnosis.unexplained, key=lambda s: -s.gap)
     ]
     if not unnamed:
-        return f"With everything repaired {left}: digits."
-    numbers = difference_summary.listed(unnamed)
+        return f"With everything repaired {left}: rounding of the numbers."
+    numbers = joined(unnamed)
     return f"With that repaired {left}; no known mistake explains {numbers}."
 
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from .._comparison.attribution import Attribution, Contribution
 from .._comparison.difference import Difference
-from .._comparison.difference_summary import base_in_words
 from .._robot.transforms import Array
+from .difference_summary import base_in_words
 from .document import Column, Row, Table
 from .wording import figures, joined, link_label, percent, posture, residue
 

@@ -10,6 +10,7 @@ from .._paper.inertia_formulas import TensorFormula
 from .._paper.reproduction import Reproduction
 from .json_head import json_head
 from .json_values import Report, strict
+from .mistake_sentences import sentence
 from .paper_summary import summarize, summary
 
 __all__ = ["paper_json"]
@@ -40,9 +41,9 @@ def paper_json(r: Reproduction, *, command: str = "") -> Report:
             "cases": [_case(run) for run in r.cases],
             "formulas": [_formula(formula) for formula in r.formulas],
             "listing_mistakes": [
-                {"id": f.id, "links": f.links, "sentence": f.sentence, "before": f.before,
-                 "after": f.after}
-                for f in r.listing_mistakes.findings
+                {"id": f.id, "links": f.links, "before": f.before, "after": f.after,
+                 "sentence": sentence(f, r.listing_mistakes.diagnosis.pair)}
+                for f in r.listing_mistakes.diagnosis.mistakes
             ],
             "slip_effects": [
                 {"case": e.case, "joint": e.joint, "printed": e.printed, "repaired": e.repaired,

@@ -10,6 +10,7 @@ from collections import Counter
 from .._paper.listing_mistakes import MistakeEffect
 from .._paper.paper_models import PRINTED, REPAIRED
 from .._paper.reproduction import Reproduction
+from .mistake_sentences import sentence
 
 __all__ = ["headline", "headline_of_all", "summarize", "summary"]
 
@@ -123,7 +124,8 @@ def _case_2_and_9(r: Reproduction) -> str:
 def _listing_mistakes(r: Reproduction) -> str:
     left = max(effect.left for effect in r.effects)
     gap = max(effect.gap for effect in r.effects)
-    found = "; ".join(finding.sentence for finding in r.listing_mistakes.findings)
+    diagnosis = r.listing_mistakes.diagnosis
+    found = "; ".join(sentence(mistake, diagnosis.pair) for mistake in diagnosis.mistakes)
     return (
         "With the listing's own mistakes repaired, its largest distance from Table 1's torques "
         f"falls from {gap:.0f} to {left:.1g} N m. The mistakes, as diagnosis finds them: {found}."

@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from .._comparison.alignment import SAME_ANGLE
-from .._comparison.difference_summary import base_in_words
 from .._robot.serial_arm import Joint, SerialArm
 from .._robot.transforms import Transform
+from .difference_summary import base_in_words
 from .document import Column, Document, Row, Section, Table
 from .provenance import Provenance, inputs_of
 from .wording import MISSING, coordinates, figures

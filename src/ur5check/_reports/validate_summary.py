@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from .._comparison import difference_summary as difference_summary
 from .._validation.law import Outcome
 from .._validation.validation import Validation
+from . import difference_summary
 
 __all__ = ["summarize"]
 

@@ -1,4 +1,4 @@
-"""All rules, collected from the files of this folder that end in `_rules`: one file a family."""
+"""All rules, collected from the package's files whose names end in `_rules`: one file a family."""
 
 from __future__ import annotations
 
@@ -15,8 +15,10 @@ __all__ = ["all_rules", "rule_of"]
 def all_rules() -> dict[str, Rule]:
     """Every rule by its id, in order of ids.  Two rules of one id are a defect: ValueError."""
     rules: dict[str, Rule] = {}
-    for file in sorted(Path(__file__).parent.glob("*_rules.py")):
-        for rule in import_module(f".{file.stem}", __package__).RULES:
+    root = Path(__file__).parents[1]
+    for file in sorted(root.rglob("*_rules.py")):
+        module = ".".join([root.name, *file.relative_to(root).with_suffix("").parts])
+        for rule in import_module(module).RULES:
             if rule.id in rules:
                 raise ValueError(f"rule {rule.id} is registered twice")
             rules[rule.id] = rule

@@ -33,12 +33,6 @@ class Cylinder:
         moments[self.axis] = mass * self.radius**2 / 2.0
         return np.diag(moments)
 
-    def __str__(self) -> str:
-        return (
-            f"a cylinder of radius {self.radius:.4g} m and length {self.length:.4g} m "
-            f"along {'xyz'[self.axis]}"
-        )
-
 
 def fit_cylinder(mass: float, tensor: Array) -> Cylinder | None:
     """The solid cylinder with this mass and tensor, if there is one."""

@@ -1,7 +1,8 @@
-"""What went wrong between two arms: findings with evidence, the largest first, or plainly none."""
+"""Which known mistakes were made between two arms, with evidence: the largest first, or none."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,138 +11,142 @@ from ..._dynamics.recursion import rnea
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
 from ..arm_pair import Pair, Side
-from .arm_mistakes import WholeArm, whole_arm
+from .arm_mistakes import ARM_MISTAKES
 from .link_numbers import body_of, with_body
-from .mistake import changed
+from .mistake import ArmDifference, ArmMistake, Mistake, changed
 from .mistake_search import Candidate, Mismatch
-from .mistake_sentences import finding_in_words, remark, whole_arm_in_words
 from .pair_readings import Explained, Kind, Reading, best_reading
 
-__all__ = ["Diagnosis", "Finding", "diagnose"]
+__all__ = ["Diagnosis", "RecognizedMistake", "diagnose"]
 
 
 @dataclass(frozen=True, eq=False)
-class Finding:
-    """One mistake, wherever it was made.
+class RecognizedMistake:
+    """One mistake, in every link in which it was made.
 
-    id : of the list of mistakes; ids joined by " + " where two mistakes were made in the same
-        numbers
+    mistakes : its record; two where two mistakes were made in the same numbers
     side : the arm it was made in; None where repairing either would do
-    links : numbers from 1; empty for the whole arm
-    sentence : what happened, and where;  advice : how to repair it;  details : link by link
-    before, after : RMS of Δτ over all joints and states [N m], with the findings above this one
+    before, after : RMS of Δτ over all joints and states [N m], with the mistakes above this one
         repaired, and with this one repaired too
     choices : how many values were tried for each number
-    equals : other mistakes that explain the same numbers as well
+    equals : ids of other mistakes that explain the same numbers as well
+    explained : the numbers that it explains, in the order of links; empty for the whole arm
+    difference : what is different between the whole arms; None for a mistake in links
     """
 
-    id: str
+    mistakes: tuple[Mistake, ...]
     side: Side | None
-    links: tuple[int, ...]
-    sentence: str
-    advice: str
     before: float
     after: float
     choices: int
     equals: tuple[str, ...] = ()
-    details: tuple[str, ...] = ()
+    explained: tuple[Explained, ...] = ()
+    difference: ArmDifference | None = None
+
+    @property
+    def id(self) -> str:
+        """The mistake's id; ids joined by " + " where there are two."""
+        return " + ".join(mistake.id for mistake in self.mistakes)
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        """Numbers from 1; empty for the whole arm."""
+        return tuple(explained.candidate.mismatch.link + 1 for explained in self.explained)
+
+    @property
+    def is_convention(self) -> bool:
+        """Whether the two models only count differently: no file has to be repaired."""
+        return all(mistake.severity == "note" for mistake in self.mistakes)
 
 
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
-    """All findings, and what they leave.
+    """All mistakes that were recognised, and what they leave.
 
-    pair : the arms in the reading that was believed
-    unexplained : numbers on which the arms disagree and no known mistake says why, and a sentence
-        on each in `remarks`
+    pair : the arms, in the reading that needs fewest assumptions
+    mistakes : in the order of repairing
+    unexplained : numbers on which the arms disagree and which no known mistake explains
     before, after : RMS of Δτ as the arms are, and with everything repaired [N m]
-    mended_a : a as it was given, less the mistakes that are taken to be its own
-    mended_b : b as it was given, with every mistake repaired that repairing b can repair
+    repaired_a : a as it was given, less the mistakes that are taken to be its own
+    repaired_b : b as it was given, with every mistake repaired that repairing b can repair
+    aligned : both arms in the pair's coordinates, with everything repaired
     """
 
     pair: Pair
-    findings: tuple[Finding, ...]
+    mistakes: tuple[RecognizedMistake, ...]
     unexplained: tuple[Mismatch, ...]
-    remarks: tuple[str, ...]
     before: float
     after: float
     repaired_a: SerialArm
     repaired_b: SerialArm
+    aligned: Mapping[Side, SerialArm]
 
 
 def diagnose(pair: Pair, states: States) -> Diagnosis:
-    """Look for known mistakes between two arms, and show what repairing them does to the
+    """Look for known mistakes between two arms, and measure what repairing them does to the
     torques.
     """
     reading, rivals = best_reading(pair)
-    repair_sequence = _RepairSequence(reading, states, _rms(pair.a, pair.b, states))
-    for finding in whole_arm(reading):
-        repair_sequence.repair_whole(finding, rivals)
+    before = _rms(pair.a, pair.b, states)
+    sequence = _RepairSequence(reading, states, before)
+    for mistake in ARM_MISTAKES:
+        difference = mistake.find(reading.pair, reading.rule)
+        if difference is not None:
+            sequence.repair_arm(mistake, difference, rivals)
     groups: dict[Kind, list[Explained]] = {}
     for explained in reading.explained:
         groups.setdefault(explained.kind, []).append(explained)
     while groups:
-        after = {key: repair_sequence.would_leave(group) for key, group in groups.items()}
+        after = {key: sequence.would_leave(group) for key, group in groups.items()}
         key = min(after, key=lambda k: after[k])
-        repair_sequence.repair_links(groups.pop(key))
+        sequence.repair_links(groups.pop(key))
     return Diagnosis(
         reading.pair,
-        tuple(repair_sequence.findings),
+        tuple(sequence.repaired),
         reading.unexplained,
-        tuple(
-            remark(
-                s,
-                {side: body_of(arm, s.link) for side, arm in repair_sequence.arms.items()},
-                repair_sequence.names,
-            )
-            for s in reading.unexplained
-        ),
-        _rms(pair.a, pair.b, states),
-        repair_sequence.left,
-        repair_sequence.given["a"],
-        repair_sequence.given["b"],
+        before,
+        sequence.left,
+        sequence.given["a"],
+        sequence.given["b"],
+        sequence.arms,
     )
 
 
 class _RepairSequence:
-    """Repairing one finding after the other, and watching the torque difference go.
+    """Repairs one mistake after the other and measures the torque difference after each.
 
     arms : both in the pair's coordinates, for the torques;  given : both as given, to be written
+    left : RMS of Δτ [N m] that is left
     """
 
     def __init__(self, reading: Reading, states: States, before: float) -> None:
         pair = reading.pair
         self.arms: dict[Side, SerialArm] = {"a": pair.a, "b": pair.b}
         self.given: dict[Side, SerialArm] = {"a": pair.a, "b": pair.given_b}
-        self.names: dict[Side, str] = {"a": pair.a.label, "b": pair.b.label}
         self.T_ba = pair.alignment.T_ab.inverse()
         self.states = states
         self.left = before
-        self.findings: list[Finding] = []
+        self.repaired: list[RecognizedMistake] = []
 
-    def repair_whole(self, whole: WholeArm, rivals: tuple[str, ...]) -> None:
-        if whole.gravity is not None:
-            g_a, _ = whole.gravity
-            self.arms["b"] = self.arms["b"].with_gravity(g_a)
-            self.given["b"] = self.given["b"].with_gravity(self.T_ba.R @ g_a)
-        if whole.motors is not None:
-            for arms in (self.arms, self.given):
-                arms["b"] = arms["b"].with_armature(whole.motors[0])
+    def repair_arm(
+        self, mistake: ArmMistake, difference: ArmDifference, rivals: tuple[str, ...]
+    ) -> None:
+        if mistake.repaired is not None:
+            for arms, T in ((self.arms, self.T_ba.identity()), (self.given, self.T_ba)):
+                arms["b"] = mistake.repaired(arms["b"], difference, T)
         after = self.left
-        if whole.repairs_torque:
+        if mistake.changes_torque:
             after = _rms(self.arms["a"], self.arms["b"], self.states)
-        sentence, advice = whole_arm_in_words(whole, self.names)
-        self.findings.append(
-            Finding(
-                whole.id,
-                whole.side,
-                (),
-                sentence,
-                advice,
+        self.repaired.append(
+            RecognizedMistake(
+                (mistake,),
+                difference.side,
                 self.left,
                 after,
-                whole.choices,
-                rivals if not whole.id.startswith("gravity") else (),
+                difference.choices,
+                # Gravity is read off as it is; everything else depends on the reading.
+                () if mistake.affects == "gravity" else rivals,
+                difference=difference,
             )
         )
         self.left = after
@@ -160,19 +165,15 @@ class _RepairSequence:
             if explained.in_b is not None:
                 self.given["b"] = _repaired(self.given["b"], explained, explained.in_b)
         first = group[0]
-        sentence, advice, details = finding_in_words(group, self.names)
-        self.findings.append(
-            Finding(
-                " + ".join(first.candidate.ids),
+        self.repaired.append(
+            RecognizedMistake(
+                first.candidate.in_order_of_the_list(),
                 None if all(e.either for e in group) else first.side,
-                tuple(sorted(e.candidate.mismatch.link + 1 for e in group)),
-                sentence,
-                advice,
                 self.left,
                 after,
                 max(e.candidate.choices for e in group),
                 tuple(other for other in first.equals if all(other in e.equals for e in group)),
-                details,
+                tuple(sorted(group, key=lambda e: e.candidate.mismatch.link)),
             )
         )
         self.left = after

@@ -1,8 +1,8 @@
 """One link's numbers as its file writes them, and both sides of a comparison in that form.
 
-A mistake is made in a file, in the frames of that file.  So the search looks at each side in turn
-as the suspect, holds the suspect's numbers as they were written, and takes the other side's numbers
-into the same frames: those are what the suspect's should have been.
+A mistake is made in a file, in the frames of that file.  So the search takes each side in turn as
+the suspect: its numbers stay as they were written, the other side's are expressed in the same
+frames, and are what the suspect's should be.
 """
 
 from __future__ import annotations
@@ -22,15 +22,16 @@ __all__ = ["Body", "LinkPair", "body_of", "changed_bodies", "with_body"]
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """What a file says of one link, in the frame in which it says it.
+    """The numbers of one link in a file, in the frame in which the file gives them.
 
     mass [kg];  com, shape (3,) [m];  tensor about it, shape (3, 3) [kg m²]
-    reach : from the link's joint to its tip frame, shape (3,) [m]
-    turn : rotation from the link's far frame to its near one, R(P_i), shape (3, 3)
-    offset : the same way as `link_vector`, as the file gives it, shape (3,) [m]: before the turn (a
-        URDF's xyz, a DH row's a and d), or after it if `after_rotation` (a listing's r_{i−1,i})
+    link_vector : from the link's joint to its tip frame, shape (3,) [m]
+    rotation : of the link's tip frame in the frame at its joint, R(P_i), shape (3, 3)
+    offset : the link vector as the file gives it, shape (3,) [m]: before the rotation (a URDF's
+        xyz, a DH row's a and d), or after it if `after_rotation` (a listing's r_{i−1,i})
     near : whether the frame stands at the link's joint (a URDF) or at its tip frame (a DH table)
-    welded : (name, inertia in the same frame) of the bodies fixed to the link, which it contains
+    welded : (name, inertia in the same frame) of the bodies fixed to the link, included in its
+        inertia
     """
 
     mass: float
@@ -61,14 +62,14 @@ class Body:
 
     @property
     def steiner(self) -> Array:
-        """What parallel axes add to the tensor about the frame's origin: m (c·c 1 − c cᵀ)."""
+        """Parallel-axis term of the tensor about the frame's origin: m (c·c 1 − c cᵀ)."""
         c = self.com
         return np.asarray(self.mass * (c @ c * np.eye(3) - np.outer(c, c)))
 
 
 @dataclass(frozen=True, eq=False)
 class LinkPair:
-    """A suspect's bodies, and what the other side says that they should be.
+    """A suspect's bodies, and what they should be by the other side.
 
     side : which arm of the pair is the suspect
     bodies, truth : link by link, both in the suspect's own source frames
@@ -123,7 +124,7 @@ def _taken_over(own: Link, other: Link, T: Transform, as_written: Body) -> Body:
 
 
 def changed_bodies(link_pair: LinkPair, link: int, body: Body) -> LinkPair:
-    """The scene with one of the suspect's bodies replaced."""
+    """The link pair with one of the suspect's bodies replaced."""
     return replace(
         link_pair, bodies=(*link_pair.bodies[:link], body, *link_pair.bodies[link + 1 :])
     )
@@ -132,8 +133,8 @@ def changed_bodies(link_pair: LinkPair, link: int, body: Body) -> LinkPair:
 def body_of(arm: SerialArm, link: int, after_rotation: bool = False) -> Body:
     """The numbers of one link (from 0), as its source writes them.
 
-    after_turn : whether the source gives r_{i−1,i} rather than what comes before the turn; never
-        so for a URDF
+    after_rotation : whether the source gives r_{i−1,i} rather than the offset before the rotation;
+        never so for a URDF
     """
     own = arm.links[link]
     to_source = own.source_frame.inverse()

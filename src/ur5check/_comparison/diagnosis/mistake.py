@@ -1,17 +1,34 @@
-"""What a known mistake is: a way to be wrong, and the values that would repair it."""
+"""What a known mistake is: one record with what it spoils, the transformation that undoes it, and
+the rule of family CMP under which it is reported."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+import numpy as np
+
+from ..._robot.serial_arm import SerialArm
+from ..._robot.transforms import Array, Transform
+from ..._finding import Severity
+from ..._rules.rule import Rule
+from ..arm_pair import Pair, Side
 from .link_numbers import Body, LinkPair
 
-__all__ = ["Mistake", "Quantity", "Repair", "changed", "value_of"]
+__all__ = [
+    "ArmDifference",
+    "ArmMistake",
+    "LinkMistake",
+    "Mistake",
+    "Quantity",
+    "Repair",
+    "changed",
+    "value_of",
+]
 
-#: What a mistake spoils: one number, vector or matrix of one link; "body" is mass, centre and
-#: tensor at once.
+#: What a mistake in one link spoils: one number, vector or matrix; "body" is mass, centre of mass
+#: and tensor at once.
 Quantity = Literal["mass", "centre", "tensor", "link_vector", "rotation", "body"]
 
 _FIELDS: dict[Quantity, str] = {
@@ -23,34 +40,155 @@ _FIELDS: dict[Quantity, str] = {
     "body": "whole",
 }
 
+_SPOILS: dict[Quantity, str] = {
+    "mass": "mass",
+    "centre": "centre of mass",
+    "tensor": "tensor",
+    "link_vector": "length",
+    "rotation": "twist",
+    "body": "mass, centre and tensor",
+}
+
+_WHY: dict[Quantity, str] = {
+    "mass": "gravity and inertial torques of every joint before the link grow with its mass",
+    "centre": "gravity torque is weight times lever: a wrong centre of mass shows in every static "
+    "hold",
+    "tensor": "inertial torques and the mass matrix are wrong while gravity torque is right, so "
+    "that only motion shows it",
+    "link_vector": "every frame beyond the link moves: the tool pose and all torques are wrong",
+    "rotation": "every axis beyond the link tilts: the tool pose and all torques are wrong",
+    "body": "mass, centre of mass and tensor are wrong together, in gravity and inertial torques",
+}
+
 #: (how, the repaired value): one way in which the mistake could have been made.
 Repair = tuple[str, Any]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Mistake:
-    """A mistake that people make.
+    """A known mistake between two models of one arm.
 
     id : how reports, tests and the docs name it
-    quantity : what it spoils
-    says : what happened, as a clause that follows the link's name
-    repair : what to do in the file
-    fixes : of a scene and a link (from 0), every value that would repair it
+    rule_id : of family CMP, never used again for anything else
+    says : what happened, as a clause;  repair : what to do in the file, as an imperative
+    bad, good : an example, in words: what stands in one file and what in the other
+    sources : where it was met: "owner/repository#number" of a public report, or the name of a
+        shipped model
+    severity : of its findings; a "note" is a convention, not a mistake
+    """
+
+    id: str
+    rule_id: str
+    says: str
+    repair: str
+    bad: str
+    good: str
+    sources: tuple[str, ...] = ()
+    severity: Severity = "warning"
+
+    @property
+    def spoils(self) -> str:
+        """What it makes wrong, in words."""
+        raise NotImplementedError
+
+    @property
+    def consequence(self) -> str:
+        """What it does to whoever uses the model, as a clause."""
+        raise NotImplementedError
+
+    def rule(self) -> Rule:
+        """The record in the registry of rules."""
+        return Rule(
+            id=self.rule_id,
+            name=self.id,
+            severity=self.severity,
+            checks=f"whether {self.says}",
+            why=self.consequence,
+            bad=self.bad,
+            good=self.good,
+            fix=self.repair,
+            report=next((source for source in self.sources if "#" in source), ""),
+            example="",
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LinkMistake(Mistake):
+    """A mistake in one number of one link.
+
+    quantity : the number
+    repairs : of a link pair and a link (from 0), every value that would undo the mistake
     alone : whether it must explain a number by itself.  Most mistakes are undone from the suspect's
         own numbers and may come in pairs; one that takes its value from elsewhere would, in a
         pair, explain anything.
     """
 
-    id: str
     quantity: Quantity
-    says: str
-    repair: str
     repairs: Callable[[LinkPair, int], Iterator[Repair]]
     alone: bool = False
 
+    @property
+    def spoils(self) -> str:
+        return _SPOILS[self.quantity]
+
+    @property
+    def consequence(self) -> str:
+        return _WHY[self.quantity]
+
+
+@dataclass(frozen=True, eq=False)
+class ArmDifference:
+    """What is different between two arms as a whole.
+
+    side : the arm in which the mistake was made, None where nothing decides
+    choices : how many values were tried
+    joints : numbers from 1 and what is different at each [rad], [m] or [kg m²]
+    base : pose of b's base in a's;  gravity : a's and b's, in a's base frame [m/s²]
+    motors : a's and b's motor inertias, shape (2, n) [kg m²]
+    """
+
+    side: Side | None
+    choices: int = 1
+    joints: tuple[tuple[int, float], ...] = ()
+    base: Transform = field(default_factory=Transform.identity)
+    gravity: tuple[Array, Array] = (np.zeros(3), np.zeros(3))
+    motors: Array = field(default_factory=lambda: np.zeros((2, 0)))
+
+
+#: Arm b less the mistake; the transform takes vectors from a's base frame to the arm's.
+ArmRepair = Callable[[SerialArm, ArmDifference, Transform], SerialArm]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ArmMistake(Mistake):
+    """A mistake, or a difference of convention, that concerns the whole arm.
+
+    sentence : what happened, with places for values: {a}, {b} and {arm} are the models' labels,
+        {joints}, {angles}, {base}, {gravity} and {motors} what `ArmDifference` holds
+    affects, why : what it makes wrong, and what that does
+    find : of an aligned pair, and the side whose DH table was read by the other convention
+    repaired : see ArmRepair; None where b needs no change, once the two arms are aligned
+    changes_torque : whether it changes torques that are compared at the same aligned state
+    """
+
+    sentence: str
+    affects: str
+    why: str
+    find: Callable[[Pair, Side | None], ArmDifference | None]
+    repaired: ArmRepair | None = None
+    changes_torque: bool = True
+
+    @property
+    def spoils(self) -> str:
+        return self.affects
+
+    @property
+    def consequence(self) -> str:
+        return self.why
+
 
 def value_of(body: Body, quantity: Quantity) -> Any:
-    """The body's mass, centre, tensor, reach or turn, or all that moves with it."""
+    """The body's mass, centre, tensor, link vector or rotation, or its inertia as a whole."""
     return getattr(body, _FIELDS[quantity])
 
 

@@ -3,13 +3,13 @@
 A number (a mass, a centre, a tensor, a length, a twist) is wrong if the two files disagree about
 it.  A mistake explains it if repairing the mistake makes them agree:
 
-- *to the digits*: to one part in ten thousand, which is what four printed digits can tell.  Of the
-  few dozen values that a number could be repaired to, none comes that close by chance.
-- *to the noise*: when two models differ everywhere by a few per cent, as honest measurements do,
-  repairing can only bring a number back among the others.  The mistake must then stand out from
-  that noise by a factor of five, and vanish in it.
+- *to the digits*: to one part in ten thousand, the resolution of four printed digits.  Of the few
+  dozen values that a number could be repaired to, none comes that close by chance.
+- *to the noise*: when two models differ everywhere by a few per cent, as two measurements do,
+  repairing can only bring a number back among the others.  The number must then differ by more
+  than five times that noise before, and by less than five times it after.
 
-Otherwise no known mistake explains the number, and that is what is said.
+Otherwise no known mistake explains the number.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ import numpy as np
 
 from ..._robot.transforms import Array
 from .link_numbers import Body, LinkPair, changed_bodies
-from .mistake import Mistake, Quantity, changed, value_of
-from .mistakes import MISTAKES
+from .mistake import LinkMistake, Quantity, changed, value_of
+from .mistakes import LINK_MISTAKES
 
 __all__ = [
     "DIGITS",
@@ -39,7 +39,7 @@ __all__ = [
 DIGITS = 1e-4
 
 _STANDS_OUT = 5.0  # times the noise, before repairing
-_VANISHES = 5.0  # times the noise, after: repairing may lean on several noisy numbers
+_VANISHES = 5.0  # times the noise, after: repairing may depend on several noisy numbers
 _MOST_NOISE = 0.06  # models that differ more than this everywhere are not two measurements of one
 _HELPS = 5.0  # repairing must bring a number at least so much closer
 
@@ -69,7 +69,7 @@ class Candidate:
     """
 
     mismatch: Mismatch
-    mistakes: tuple[Mistake, ...]
+    mistakes: tuple[LinkMistake, ...]
     hows: tuple[str, ...]
     value: Any
     after: float
@@ -77,8 +77,12 @@ class Candidate:
 
     @property
     def ids(self) -> tuple[str, ...]:
-        """The mistakes' ids, in the list of mistakes's order."""
-        return tuple(m.id for m in MISTAKES if m in self.mistakes)
+        """The mistakes' ids, in the order of the list of mistakes."""
+        return tuple(mistake.id for mistake in self.in_order_of_the_list())
+
+    def in_order_of_the_list(self) -> tuple[LinkMistake, ...]:
+        """The mistakes, the likelier first."""
+        return tuple(mistake for mistake in LINK_MISTAKES if mistake in self.mistakes)
 
 
 def disagreements(link_pair: LinkPair, geometry: bool) -> list[Mismatch]:
@@ -99,7 +103,7 @@ def disagreements(link_pair: LinkPair, geometry: bool) -> list[Mismatch]:
 def explanations(link_pair: LinkPair, mismatch: Mismatch, noise: float) -> list[Candidate]:
     """Everything that explains a disagreement about as well as the best, the likelier first.
 
-    noise : the gap that is usual between these two models
+    noise : the median gap between these two models
     """
     alone = list(_singles(link_pair, mismatch.link, mismatch.quantity))
     found = _good_enough(mismatch, alone, DIGITS)
@@ -112,25 +116,25 @@ def explanations(link_pair: LinkPair, mismatch: Mismatch, noise: float) -> list[
 
 
 def usual_gap(mismatches: Iterable[Mismatch]) -> float:
-    """The median disagreement of inertial numbers: what two honest measurements leave.
+    """The median disagreement of inertial numbers: that of two measurements.
 
-    Lengths are left aside: they are copied from data sheets, not measured.
+    Lengths are left out: they are copied from data sheets, not measured.
     """
-    return float(np.median([s.gap for s in mismatches if s.quantity in _INERTIAL]))
+    return float(np.median([m.gap for m in mismatches if m.quantity in _INERTIAL]))
 
 
 def stands_out(mismatch: Mismatch, noise: float) -> bool:
-    """Whether a number is further off than honest measurement would have it."""
+    """Whether a number differs by more than the noise of two measurements explains."""
     return mismatch.gap > max(DIGITS, _STANDS_OUT * noise if noise < _MOST_NOISE else 0.0)
 
 
-_Tried = tuple[tuple[Mistake, ...], tuple[str, ...], Any, float]
+_Tried = tuple[tuple[LinkMistake, ...], tuple[str, ...], Any, float]
 
 
 def _singles(link_pair: LinkPair, i: int, quantity: Quantity) -> Iterator[_Tried]:
     tried = [
         (mistake, how, value)
-        for mistake in MISTAKES
+        for mistake in LINK_MISTAKES
         if mistake.quantity == quantity
         for how, value in mistake.repairs(link_pair, i)
     ]

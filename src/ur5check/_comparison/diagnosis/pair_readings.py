@@ -3,7 +3,7 @@
 The same two files can be read in several ways: joints reversed and shifted so that the axes
 coincide, or joint angles as they stand and a sign lost in a length; a DH table by the standard rule
 or by the modified one.  The reading that leaves fewest numbers unexplained, with fewest mistakes,
-is believed.
+is taken.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ Kind = tuple[Side, tuple[str, ...]]
 class Explained:
     """One number that a mistake explains.
 
-    side : whose mistake it is taken to be;  either : nothing says which of the two
+    side : the arm it is taken to be in;  either : nothing decides which of the two
     body : the link as that side has it
     equals : other mistakes that explain it as well, their ids joined by " + "
     in_b : how repairing b would do it, if it would
@@ -82,51 +82,54 @@ class Reading:
         return np.asarray((alignment.signs < 0) | (np.abs(alignment.offsets) > SAME_ANGLE))
 
     @property
-    def unaccounted(self) -> int:
+    def unexplained_count(self) -> int:
         """How many unexplained numbers stand out from the noise."""
         return sum(stands_out(mismatch, self.noise) for mismatch in self.unexplained)
 
     @property
     def cost(self) -> tuple[int, int]:
-        """What stays unexplained, then what we are asked to believe.
+        """What stays unexplained, then how many assumptions the reading makes.
 
-        A joint that is reversed or shifted is one belief, and two more if the shift is no whole
-        number of degrees: people choose round zeros.
+        Each kind of mistake, each number that it explains, a turned base and another DH convention
+        are one assumption.  So is a joint that is reversed or shifted, and two more if the shift
+        is no whole number of degrees: people choose round zeros.
         """
         alignment = self.pair.alignment
         kinds = {explained.kind for explained in self.explained}
         degrees = np.degrees(alignment.offsets)
         odd = self.moved & (np.abs(degrees - np.rint(degrees)) > 1e-6)
-        imported_arm = len(kinds) + len(self.explained) + int(self.moved.sum()) + 2 * int(odd.sum())
-        imported_arm += int(alignment.T_ab.angle() > SAME_ANGLE) + (self.rule is not None)
-        return self.unaccounted, imported_arm
+        assumptions = len(kinds) + len(self.explained) + int(self.moved.sum()) + 2 * int(odd.sum())
+        assumptions += int(alignment.T_ab.angle() > SAME_ANGLE) + (self.rule is not None)
+        return self.unexplained_count, assumptions
 
     @property
     def ids(self) -> tuple[str, ...]:
-        """The mistakes that this reading believes in, whole-arm ones aside."""
+        """The mistakes in links that this reading assumes."""
         return tuple(dict.fromkeys(" + ".join(e.candidate.ids) for e in self.explained))
 
 
 def best_reading(pair: Pair) -> tuple[Reading, tuple[str, ...]]:
-    """The reading of a pair that asks us to believe least.
+    """The reading of a pair with fewest assumptions.
 
-    Also the mistakes that other readings would believe in instead, where they leave no more
+    Also the mistakes that other readings would assume instead, where they leave no more
     unexplained.
     """
     readings = [_read(pair)]
     others: list[tuple[Side, SerialArm, SerialArm]]
-    if readings[0].moved.any() or (readings[0].unaccounted and not pair.number_by_number):
+    if readings[0].moved.any() or (readings[0].unexplained_count and not pair.number_by_number):
         readings.append(_read(pair_as_written(pair.a, pair.given_b)))
     if readings[0].moved.any() or not pair.alignment.exact:
         others = [("b", pair.a, other) for other in read_by_the_other_rule(pair.given_b)]
         others += [("a", other, pair.given_b) for other in read_by_the_other_rule(pair.a)]
         for side, a, b in others:
             turned = _read(pair_up(a, b), side)
-            # The other rule is believed only where it puts every axis in its place as it stands.
+            # The other convention is taken only where it makes all axes coincide as they stand.
             if turned.pair.alignment.exact and not turned.moved.any():
                 readings.append(turned)
     best = min(readings, key=lambda reading: reading.cost)
-    rivals = [r for r in readings if r is not best and r.unaccounted <= best.unaccounted]
+    rivals = [
+        r for r in readings if r is not best and r.unexplained_count <= best.unexplained_count
+    ]
     return best, tuple(dict.fromkeys(name for rival in rivals for name in rival.ids))
 
 
@@ -146,7 +149,7 @@ def _read(pair: Pair, rule: Side | None = None) -> Reading:
 
 
 def _geometry_without_numbers(pair: Pair) -> list[Mismatch]:
-    """Axes that do not coincide, where the sources' lengths cannot be held against each other."""
+    """Axes that do not coincide, where the sources' lengths cannot be compared."""
     alignment = pair.alignment
     if alignment.exact or pair.number_by_number:
         return []
@@ -157,7 +160,7 @@ def _geometry_without_numbers(pair: Pair) -> list[Mismatch]:
 def _whole_bodies_first(
     mismatches: Sequence[Mismatch], link_pairs: dict[Side, LinkPair]
 ) -> Iterable[Mismatch]:
-    """One suspicion for a whole body where one mistake explains all its numbers at once."""
+    """One mismatch for a whole body where one mistake explains all its numbers at once."""
     covered = set()
     for mass in mismatches:
         if mass.quantity == "mass" and mass.gap > DIGITS:
@@ -207,10 +210,10 @@ def _last_resort(candidate: Candidate) -> bool:
 
 
 def _less_plausible(link_pairs: dict[Side, LinkPair], mismatch: Mismatch) -> Side | None:
-    """The side whose number no link could well have, where repairing either would do.
+    """The side with the implausible number, where repairing either would do.
 
-    A tensor that asks for mass further out than the link is long (or 10 cm); a centre of mass that
-    lies off the link by half its length (or 10 cm).
+    Implausible is a radius of gyration larger than the link is long (or 10 cm), and a centre of
+    mass that lies off the link by half its length (or 10 cm).
     """
     body_a, body_b = (link_pairs[side].bodies[mismatch.link] for side in ("a", "b"))
     if mismatch.quantity == "tensor":
@@ -236,8 +239,8 @@ def _fewest_kinds(candidates: list[list[Explained]]) -> list[Explained]:
     """One explanation a number, chosen so that few kinds of mistake explain many numbers.
 
     Greedy: the kind that explains most numbers takes them all; ties go to the earlier in the list
-    of mistakes, and to side b.  A number that either side's repairing explains follows those whose
-    side is known.
+    of mistakes, and to side b.  A number that repairing either side explains takes the side of
+    those whose side is known.
     """
     chosen: list[Explained] = []
     left = list(candidates)

@@ -65,17 +65,6 @@ class Equivalence:
         """Whether neither part makes more torque than TOLERANCE of arm a's largest."""
         return float(max(self.visible.max(), self.other.max())) <= TOLERANCE * self.largest
 
-    @property
-    def sentence(self) -> str:
-        """The verdict, for a report."""
-        if not self.dynamically_equivalent:
-            if float(self.visible.max()) <= TOLERANCE * self.largest:
-                return "The inertias are dynamically equivalent; geometry or gravity is not."
-            return f"Torque tells the inertias apart: by up to {self.visible.max():.3g} N m."
-        if self.same_numbers:
-            return "Same numbers, same dynamics."
-        return "Different numbers, same dynamics: they differ only in what no torque can see."
-
 
 def split(identifiability: Identifiability, dpi: ArrayLike) -> VisibleSplit:
     """What torque sees of Δπ, shape (10 n,), and what it does not.

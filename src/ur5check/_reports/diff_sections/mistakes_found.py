@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ..._comparison.diagnosis.diagnosis import Diagnosis, Finding
-from ..._comparison.difference_summary import listed
+from ..._comparison.diagnosis.diagnosis import Diagnosis, RecognizedMistake
 from ..._comparison.explanation import Explanation
 from ..document import Column, Row, Section, Table
 from ..explanation_summary import removed
-from ..wording import MISSING, figures, residue
+from ..mistake_sentences import advice, details, remark, sentence
+from ..wording import MISSING, figures, joined, residue
 
 __all__ = ["findings_section"]
 
@@ -15,22 +15,22 @@ _NOTE = (
     "Removes: part of the whole RMS difference, repaired from the top. Tried: repaired values for "
     "each number; the more, the more could fit by chance."
 )
-_NO_TORQUE = f" {MISSING}: changes no torque, once the arms are laid together."
+_NO_TORQUE = f" {MISSING}: changes no torque, once the arms are aligned."
 
 
 def findings_section(e: Explanation) -> Section:
-    """The findings with their evidence, in words, link by link; then what nothing explains."""
+    """The mistakes with their evidence, in words, link by link; then what no mistake explains."""
     diagnosis = e.diagnosis
-    lines = [] if diagnosis.findings else [_none(e)]
+    lines = [] if diagnosis.mistakes else [_none(e)]
     # What changes no torque comes last; sorting keeps the order of repairing.
-    numbered = list(enumerate(sorted(diagnosis.findings, key=_idle), 1))
-    details = [row for k, f in numbered for row in _details(k, f)]
+    numbered = list(enumerate(sorted(diagnosis.mistakes, key=_idle), 1))
+    by_link = [row for k, f in numbered for row in _details(k, f)]
     tables = []
     if numbered:
-        tables += [_evidence(e, numbered), _words(numbered)]
-    if details:
+        tables += [_evidence(e, numbered), _words(e, numbered)]
+    if by_link:
         columns = (Column("", number=True), Column("link", number=True), Column("how"))
-        tables.append(Table(columns, tuple(details), title="Link by link"))
+        tables.append(Table(columns, tuple(by_link), title="Link by link"))
     if diagnosis.unexplained:
         tables.append(_unexplained(diagnosis))
     return Section("What went wrong", tuple(lines), tuple(tables))
@@ -42,11 +42,11 @@ def _none(e: Explanation) -> str:
     return "No single known mistake explains the difference."
 
 
-def _idle(finding: Finding) -> bool:
-    return finding.before == finding.after
+def _idle(found: RecognizedMistake) -> bool:
+    return found.before == found.after
 
 
-def _evidence(e: Explanation, numbered: list[tuple[int, Finding]]) -> Table:
+def _evidence(e: Explanation, numbered: list[tuple[int, RecognizedMistake]]) -> Table:
     names = {"a": e.difference.pair.a.label, "b": e.difference.pair.b.label, None: "either"}
     return Table(
         (
@@ -62,44 +62,44 @@ def _evidence(e: Explanation, numbered: list[tuple[int, Finding]]) -> Table:
             Row(
                 (
                     str(number),
-                    finding.id,
-                    names[finding.side],
-                    ", ".join(map(str, finding.links)) or "whole arm",
-                    *_effect(finding, e.diagnosis),
-                    str(finding.choices),
+                    found.id,
+                    names[found.side],
+                    ", ".join(map(str, found.links)) or "whole arm",
+                    *_effect(found, e.diagnosis),
+                    str(found.choices),
                 )
             )
-            for number, finding in numbered
+            for number, found in numbered
         ),
         note=_NOTE + (_NO_TORQUE if any(_idle(f) for _, f in numbered) else ""),
     )
 
 
-def _effect(finding: Finding, diagnosis: Diagnosis) -> tuple[str, str]:
+def _effect(found: RecognizedMistake, diagnosis: Diagnosis) -> tuple[str, str]:
     """(removes, before → after)."""
-    if _idle(finding):
+    if _idle(found):
         return MISSING, MISSING
-    removes = 100 * removed(finding, diagnosis)
-    return f"{removes:.1f} %", f"{residue(finding.before)} → {residue(finding.after)}"
+    removes = 100 * removed(found, diagnosis)
+    return f"{removes:.1f} %", f"{residue(found.before)} → {residue(found.after)}"
 
 
-def _words(numbered: list[tuple[int, Finding]]) -> Table:
+def _words(e: Explanation, numbered: list[tuple[int, RecognizedMistake]]) -> Table:
     return Table(
         (Column("", number=True), Column("what happened"), Column("to repair it")),
-        tuple(Row((str(number), _in_words(f), f.advice)) for number, f in numbered),
+        tuple(Row((str(number), _in_words(f, e.diagnosis), advice(f))) for number, f in numbered),
         title="In words",
     )
 
 
-def _in_words(finding: Finding) -> str:
-    equals = f". Explained as well by: {listed(list(finding.equals))}" if finding.equals else ""
-    return f"{finding.sentence}{equals}"
+def _in_words(found: RecognizedMistake, diagnosis: Diagnosis) -> str:
+    equals = f". Explained as well by: {joined(found.equals)}" if found.equals else ""
+    return f"{sentence(found, diagnosis.pair)}{equals}"
 
 
-def _details(number: int, finding: Finding) -> list[Row]:
+def _details(number: int, found: RecognizedMistake) -> list[Row]:
     rows = []
     shown = str(number)
-    for link, detail in zip(finding.links, finding.details, strict=True):
+    for link, detail in zip(found.links, details(found), strict=True):
         rows.append(Row((shown, str(link), detail.removeprefix(f"link {link}: "))))
         shown = ""
     return rows
@@ -114,8 +114,8 @@ def _unexplained(diagnosis: Diagnosis) -> Table:
             Column("what is known of it"),
         ),
         tuple(
-            Row((str(s.link + 1), s.quantity, figures(100 * s.gap), remark or MISSING))
-            for s, remark in zip(diagnosis.unexplained, diagnosis.remarks, strict=True)
+            Row((str(m.link + 1), m.quantity, figures(100 * m.gap), remark(m, diagnosis)))
+            for m in diagnosis.unexplained
         ),
         title="Unexplained",
     )

@@ -6,6 +6,7 @@ from ..._comparison.explanation import Explanation
 from ..._comparison.identifiability.identifiability import Identifiability, Label
 from ..._robot.inertia import PARAMETERS
 from ..document import Column, Row, Section, Table
+from ..explanation_summary import equivalence_in_words
 from ..wording import MISSING, figures, residue
 
 __all__ = ["unseen_section"]
@@ -26,7 +27,7 @@ def unseen_section(e: Explanation, *, written_out: bool) -> Section:
     lines = (
         f"Torque tells {seen.rank} combinations of {e.difference.pair.a.label}'s {seen.columns} "
         f"inertial parameters, {certain}.",
-        e.equivalence.sentence,
+        equivalence_in_words(e.equivalence),
     )
     tables = [_label_table(e)]
     if written_out:

@@ -10,6 +10,7 @@ from ..._paper.cases import CASES
 from ..._paper.harmonic import Harmonic
 from ..._paper.reproduction import Reproduction
 from ..document import Column, Picture, Row, Section, Table
+from ..mistake_sentences import sentence
 from ..paper_summary import headline
 from ..wording import MISSING, figures, residue
 
@@ -29,10 +30,11 @@ def cases_section(r: Reproduction, pictures: Mapping[int, str]) -> Section:
 
 def listing_mistakes_section(r: Reproduction) -> Section:
     """The printed torque, the same with the mistakes repaired, and Table 1's."""
+    diagnosis = r.listing_mistakes.diagnosis
     lines = [
-        f"{finding.sentence}: {figures(finding.before)} → {residue(finding.after)} N m RMS over "
-        "random motions."
-        for finding in r.listing_mistakes.findings
+        f"{sentence(found, diagnosis.pair)}: {figures(found.before)} → {residue(found.after)} N m "
+        "RMS over random motions."
+        for found in diagnosis.mistakes
     ]
     table = Table(
         (

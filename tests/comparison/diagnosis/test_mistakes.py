@@ -1,7 +1,8 @@
-"""A mistake planted in an arm is named; an honest difference is not called one."""
+"""A mistake planted in an arm is named; a difference of two measurements is not."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -11,15 +12,19 @@ import ur5check
 from examples import random_arm
 from ur5check._comparison.arm_pair import pair_up
 from ur5check._comparison.diagnosis.diagnosis import diagnose
+from ur5check._comparison.diagnosis.mistakes import MISTAKES
+from ur5check._io.shipped_models import SHIPPED_MODELS
+from ur5check._reports.mistake_sentences import remark, sentence
 from ur5check._robot import DHRow, Inertia, Joint, Link, Transform, arm_from_dh
 from ur5check._robot.states import random_states
+from ur5check._rules.registry import all_rules
 
 UR5 = ur5check.load("appendix")
 CHAIN = random_arm(5, seed=21, prismatic=False)
 ARMS = {"ur5": UR5, "chain": CHAIN}
 
 
-def first_answer(arm, changed):
+def diagnosed(arm, changed):
     return diagnose(pair_up(arm, changed), random_states(arm.n, 100, seed=0))
 
 
@@ -78,8 +83,8 @@ CASES = [
 
 @pytest.mark.parametrize(("arm", "identity", "changed"), CASES)
 def test_a_wrong_inertia_is_named(arm, identity, changed):
-    found = first_answer(arm, changed)
-    first = found.findings[0]
+    found = diagnosed(arm, changed)
+    first = found.mistakes[0]
     assert identity == first.id or identity in first.equals
     assert first.links in ((2,), (3,))
     assert found.after <= 1e-4 * found.before
@@ -91,29 +96,29 @@ def test_masses_of_two_links_exchanged(one, other):
     masses = [link.inertia.mass for link in CHAIN.links]
     swapped = planted(CHAIN, one, mass=masses[other - 1])
     swapped = planted(swapped, other, mass=masses[one - 1])
-    found = first_answer(CHAIN, swapped)
-    assert found.findings[0].id == "mass-exchanged"
-    assert found.findings[0].links == (one, other)
+    found = diagnosed(CHAIN, swapped)
+    assert found.mistakes[0].id == "mass-exchanged"
+    assert found.mistakes[0].links == (one, other)
 
 
 def test_measured_masses_of_equal_links_are_not_exchanged():
     # Both wrists weigh 1.219 kg; one measured again as 1.219, the other as 1.24, is no exchange.
-    found = first_answer(UR5, planted(planted(UR5, 4, mass=1.24), 5, mass=1.21901))
-    assert not found.findings
+    found = diagnosed(UR5, planted(planted(UR5, 4, mass=1.24), 5, mass=1.21901))
+    assert not found.mistakes
 
 
 def test_two_digits_of_a_mass_exchanged():
-    found = first_answer(UR5, planted(UR5, 2, mass=8.933))  # for 8.393
-    assert found.findings[0].id == "mass-digits"
-    assert "8.393 for 8.933" in found.findings[0].sentence
+    found = diagnosed(UR5, planted(UR5, 2, mass=8.933))  # for 8.393
+    assert found.mistakes[0].id == "mass-digits"
+    assert "8.393 for 8.933" in sentence(found.mistakes[0], found.pair)
 
 
 def test_several_mistakes_at_once_are_all_named():
     own = in_source(UR5.links[1])
     wrong = planted(UR5, 2, com=-own.com, tensor=own.tensor * 100)
     wrong = planted(wrong, 3, mass=2275.0)
-    found = first_answer(UR5, wrong)
-    assert {f.id for f in found.findings} == {"centre-sign", "tensor-scaled", "mass-scaled"}
+    found = diagnosed(UR5, wrong)
+    assert {f.id for f in found.mistakes} == {"centre-sign", "tensor-scaled", "mass-scaled"}
     assert not found.unexplained
     assert ur5check.diff(UR5, found.repaired_b, samples=50).agrees
 
@@ -128,12 +133,12 @@ def test_a_fixed_childs_inertial_dropped_and_counted_twice():
             replace(last, inertia=last.inertia + gripper, welded=(("gripper", gripper),)),
         ),
     )
-    dropped = first_answer(whole, CHAIN)
-    assert [f.id for f in dropped.findings] == ["body-dropped"]
-    assert "gripper" in dropped.findings[0].sentence
+    dropped = diagnosed(whole, CHAIN)
+    assert [f.id for f in dropped.mistakes] == ["body-dropped"]
+    assert "gripper" in sentence(dropped.mistakes[0], dropped.pair)
     twice = replace(whole.links[-1], inertia=last.inertia + gripper + gripper)
-    counted = first_answer(whole, replace(whole, links=(*CHAIN.links[:-1], twice)))
-    assert [f.id for f in counted.findings] == ["body-twice"]
+    counted = diagnosed(whole, replace(whole, links=(*CHAIN.links[:-1], twice)))
+    assert [f.id for f in counted.mistakes] == ["body-twice"]
 
 
 def longer(arm, i, link_tip_frame):
@@ -168,9 +173,9 @@ GEOMETRY = {
 def test_a_wrong_geometry_is_named(arm, i, identity):
     wrong = GEOMETRY[identity]
     P = arm.links[i - 1].link_tip_frame
-    found = first_answer(arm, longer(arm, i, wrong(P)))
-    named = {f.id for f in found.findings} | {e for f in found.findings for e in f.equals}
-    assert identity in named, [f.sentence for f in found.findings]
+    found = diagnosed(arm, longer(arm, i, wrong(P)))
+    named = {f.id for f in found.mistakes} | {e for f in found.mistakes for e in f.equals}
+    assert identity in named, [f.id for f in found.mistakes]
     assert found.after <= 1e-4 * found.before
 
 
@@ -185,8 +190,8 @@ def dh(convention):
     ("truth", "mistaken"), [("standard", "modified"), ("modified", "standard")]
 )
 def test_a_table_read_by_the_other_convention(truth, mistaken):
-    found = first_answer(dh(truth), dh(mistaken))
-    assert found.findings[0].id == "dh-convention"
+    found = diagnosed(dh(truth), dh(mistaken))
+    assert found.mistakes[0].id == "dh-convention"
     assert not found.unexplained
 
 
@@ -199,8 +204,8 @@ def test_a_table_read_by_the_other_convention(truth, mistaken):
     ],
 )
 def test_gravity(gravity, identity):
-    found = first_answer(UR5, UR5.with_gravity(gravity))
-    assert [f.id for f in found.findings] == [identity]
+    found = diagnosed(UR5, UR5.with_gravity(gravity))
+    assert [f.id for f in found.mistakes] == [identity]
     assert found.after <= 1e-12 * found.before
 
 
@@ -209,8 +214,8 @@ def test_a_joint_reversed_and_a_zero_shifted():
     joints[3] = Joint(joints[3].name, -joints[3].axis)
     rotation = UR5.joints[1].motion(0.3)
     links[1] = replace(links[1], link_tip_frame=rotation @ links[1].link_tip_frame)
-    found = first_answer(UR5, replace(UR5, joints=tuple(joints), links=tuple(links)))
-    by_id = {f.id: f.sentence for f in found.findings}
+    found = diagnosed(UR5, replace(UR5, joints=tuple(joints), links=tuple(links)))
+    by_id = {f.id: sentence(f, found.pair) for f in found.mistakes}
     assert "Joint 4" in by_id["joint-reversed"]
     assert "Joint 2" in by_id["zero-shifted"]
     assert "-17.19°" in by_id["zero-shifted"]
@@ -218,9 +223,9 @@ def test_a_joint_reversed_and_a_zero_shifted():
 
 def test_motor_inertia_in_one_only():
     geared = CHAIN.with_armature([0.0, 0.8, 0.0, 0.3, 0.0])
-    found = first_answer(CHAIN, geared)
-    assert [f.id for f in found.findings] == ["motor-inertia"]
-    assert "joint 2 and 4 is in chain_5 only" in found.findings[0].sentence
+    found = diagnosed(CHAIN, geared)
+    assert [f.id for f in found.mistakes] == ["motor-inertia"]
+    assert "joint 2 and 4 is in chain_5 only" in sentence(found.mistakes[0], found.pair)
     assert found.after <= 1e-12 * found.before
     assert ur5check.diff(CHAIN, found.repaired_b, samples=50).agrees
 
@@ -241,16 +246,16 @@ def measured_again(arm, rng, level):
     return replace(arm, links=tuple(links))
 
 
-HONEST = {**ARMS, "paper": ur5check.load("paper"), "erd": ur5check.load("erd-ur5")}
+MEASURED = {**ARMS, "paper": ur5check.load("paper"), "erd": ur5check.load("erd-ur5")}
 
 
-@pytest.mark.parametrize("name", HONEST)
+@pytest.mark.parametrize("name", MEASURED)
 @pytest.mark.parametrize("level", [0.01, 0.03, 0.05])
-def test_honest_measurement_is_no_mistake(name, level):
-    arm, rng = HONEST[name], np.random.default_rng(7)
+def test_two_measurements_are_no_mistake(name, level):
+    arm, rng = MEASURED[name], np.random.default_rng(7)
     for _ in range(10):
-        found = first_answer(arm, measured_again(arm, rng, level))
-        assert not found.findings
+        found = diagnosed(arm, measured_again(arm, rng, level))
+        assert not found.mistakes
         assert found.unexplained
 
 
@@ -258,15 +263,29 @@ def test_a_mistake_stands_out_from_measurement():
     rng = np.random.default_rng(3)
     noisy = measured_again(CHAIN, rng, 0.01)
     own = in_source(CHAIN.links[2])
-    found = first_answer(CHAIN, planted(noisy, 3, com=-own.com))
-    assert [f.id for f in found.findings] == ["centre-sign"]
-    assert found.findings[0].links == (3,)
+    found = diagnosed(CHAIN, planted(noisy, 3, com=-own.com))
+    assert [f.id for f in found.mistakes] == ["centre-sign"]
+    assert found.mistakes[0].links == (3,)
 
 
 def test_numbers_with_nothing_in_common_are_not_explained():
     other = random_arm(5, seed=99, prismatic=False)
     changed = CHAIN.with_inertias([link.inertia for link in other.links])
-    found = first_answer(CHAIN, changed)
-    assert not [f for f in found.findings if f.links]
+    found = diagnosed(CHAIN, changed)
+    assert not [f for f in found.mistakes if f.links]
     assert len(found.unexplained) >= 14
-    assert "No single known mistake" in found.remarks[0]
+    assert "No single known mistake" in remark(found.unexplained[0], found)
+
+
+def test_every_mistake_has_an_id_and_a_rule_of_its_own():
+    assert len({mistake.id for mistake in MISTAKES}) == len(MISTAKES)
+    rules = [mistake.rule() for mistake in MISTAKES]
+    assert len({rule.id for rule in rules}) == len(rules)
+    assert {rule.family for rule in rules} == {"CMP"}
+    assert {rule.id for rule in rules} <= set(all_rules())
+
+
+@pytest.mark.parametrize("mistake", MISTAKES, ids=lambda mistake: mistake.id)
+def test_where_a_mistake_was_met_can_be_looked_up(mistake):
+    for source in mistake.sources:
+        assert re.fullmatch(r"[\w.-]+/[\w.-]+#\d+", source) or source in SHIPPED_MODELS

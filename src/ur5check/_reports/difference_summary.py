@@ -1,4 +1,4 @@
-"""A difference told in a few sentences, the verdict first: what a tired engineer reads."""
+"""A difference in a few sentences, the verdict first."""
 
 from __future__ import annotations
 
@@ -6,27 +6,27 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
+from .._comparison.attribution import Contribution
 from .._robot.transforms import Transform
-from .alignment import SAME_ANGLE, SAME_LENGTH
-from .attribution import Contribution
+from .wording import joined
 
 if TYPE_CHECKING:
-    from .difference import Difference
+    from .._comparison.difference import Difference
 
 __all__ = [
     "base_in_words",
     "contribution_in_words",
     "contributions_in_words",
-    "listed",
     "summarize",
 ]
 
-_WORTH_A_WORD = 0.02  # an owner of less than 2 % of the mean square difference is left to the table
+_WORTH_A_WORD = 0.02  # of the mean square difference: smaller contributions are in the table only
 _STANDS_OUT = 3.0  # principal moments further apart than this are named
 
 
 def summarize(difference: Difference) -> tuple[str, ...]:
-    """Three to six sentences: verdict, geometry, gravity, owners, what stands out, what is left."""
+    """Three to six sentences: verdict, geometry, gravity, attribution, outliers, residual."""
     sentences = [_verdict(difference), _geometry(difference)]
     if not difference.agrees:
         sentences += [
@@ -34,7 +34,7 @@ def summarize(difference: Difference) -> tuple[str, ...]:
             contributions_in_words(difference),
             _outliers(difference),
         ]
-    sentences.append(_account(difference))
+    sentences.append(_residual(difference))
     return tuple(sentence for sentence in sentences if sentence)
 
 
@@ -49,7 +49,7 @@ def base_in_words(T: Transform) -> str:
 
 
 def contribution_in_words(contribution: Contribution) -> str:
-    """An owner as "link 2, centre of mass"."""
+    """A contribution as "link 2, centre of mass"."""
     return (
         contribution.kind
         if contribution.link is None
@@ -66,7 +66,7 @@ def _verdict(d: Difference) -> str:
         return f"{a} and {b} have the same dynamics: no torque differs by more than {size}."
     effort = d.torques.effort[worst]
     share = "" if np.isnan(effort) else f", {d.torques.share_of_effort()[worst]:.0%} of its limit"
-    return f"{a} and {b} ask for different torques: up to {size} apart ({joint}{share})."
+    return f"{a} and {b} need different torques: up to {size} apart ({joint}{share})."
 
 
 def _geometry(d: Difference) -> str:
@@ -104,11 +104,11 @@ def _unequal_reach(d: Difference) -> str:
     parts = []
     if opposite:
         parts.append(
-            f"link{'s' if len(opposite) > 1 else ''} {listed(opposite)} "
+            f"link{'s' if len(opposite) > 1 else ''} {joined(opposite)} "
             f"reach{'' if len(opposite) > 1 else 'es'} the opposite way, as if a sign were lost"
         )
     if other:
-        parts.append(f"the reach of link{'s' if len(other) > 1 else ''} {listed(other)} differs")
+        parts.append(f"the reach of link{'s' if len(other) > 1 else ''} {joined(other)} differs")
     tilt = float(d.pair.alignment.axis_angle.max())
     if tilt > SAME_ANGLE:
         parts.append(f"axes tilt by up to {tilt:.2g} rad")
@@ -126,7 +126,7 @@ def _gravity(d: Difference) -> str:
 
 
 def contributions_in_words(d: Difference) -> str:
-    """Who owns most of the difference."""
+    """What most of the difference is attributed to."""
     share = d.attribution.share()
     order = np.argsort(-share)
     named = [
@@ -134,11 +134,11 @@ def contributions_in_words(d: Difference) -> str:
         for k in order[:4]
         if share[k] > _WORTH_A_WORD
     ]
-    return f"Whose it is: {'; '.join(named)} of the mean square difference."
+    return f"Attributed to {'; '.join(named)} of the mean square difference."
 
 
 def _outliers(d: Difference) -> str:
-    """Numbers that differ by more than any two careful people would."""
+    """Masses and principal moments that differ by more than any two measurements would."""
     found = []
     for link in d.parameters:
         ratio = link.moment_ratio()
@@ -146,15 +146,13 @@ def _outliers(d: Difference) -> str:
             found.append(f"principal moments of link {link.link} are {ratio:.3g} times apart")
         masses = sorted([link.a.mass, link.b.mass])
         if masses[0] <= 0.0 or masses[1] / masses[0] > _STANDS_OUT:
-            found.append(
-                f"link {link.link} weighs {link.a.mass:.4g} kg against {link.b.mass:.4g} kg"
-            )
-    return f"What stands out: {'; '.join(found)}." if found else ""
+            found.append(f"link {link.link} has {link.a.mass:.4g} kg against {link.b.mass:.4g} kg")
+    return f"Outliers: {'; '.join(found)}." if found else ""
 
 
-def _account(d: Difference) -> str:
-    left = float(np.abs(d.attribution.remainder).max())
-    return f"Every newton metre has an owner: {left:.1g} N m are left over."
+def _residual(d: Difference) -> str:
+    residual = float(np.abs(d.attribution.remainder).max())
+    return f"The attribution is complete: its residual is {residual:.1g} N m."
 
 
 def _axis_in_words(T: Transform) -> str:
@@ -170,8 +168,3 @@ def _axis_in_words(T: Transform) -> str:
         if abs(abs(u[k]) - 1.0) < SAME_ANGLE:
             return name if u[k] > 0 else f"−{name}"
     return f"({', '.join(f'{x:.3g}' for x in u)})"
-
-
-def listed(items: list[str]) -> str:
-    """Items as "one, two and three"."""
-    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"

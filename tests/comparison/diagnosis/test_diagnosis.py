@@ -1,7 +1,4 @@
-"""What the paper got wrong, and what the library's UR5 got wrong: found, not known.
-
-The list is that of the paper's contradictions: docs/diagnosis.md.
-"""
+"""Mistakes between the shipped models: those of the paper, of its appendix, of a library's UR5."""
 
 from __future__ import annotations
 
@@ -9,9 +6,8 @@ import pytest
 
 import ur5check
 from ur5check._comparison.arm_pair import pair_up
-from ur5check._comparison.diagnosis.cylinder_fit import fit_cylinder
 from ur5check._comparison.diagnosis.diagnosis import diagnose
-from ur5check._comparison.diagnosis.pair_readings import best_reading
+from ur5check._reports.mistake_sentences import details, remark, sentence
 from ur5check._robot.states import random_states
 
 STATES = random_states(6, 300, seed=0)
@@ -21,8 +17,8 @@ def diagnosed(a, b):
     return diagnose(pair_up(ur5check.load(a), ur5check.load(b)), STATES)
 
 
-def finding(diagnosis, identity):
-    (found,) = (f for f in diagnosis.findings if f.id == identity)
+def the(diagnosis, identity):
+    (found,) = (f for f in diagnosis.mistakes if f.id == identity)
     return found
 
 
@@ -42,22 +38,22 @@ def library():
 
 
 def test_the_listing_lost_the_signs_of_three_lengths(listing):
-    found = finding(listing, "length-sign")
+    found = the(listing, "length-sign")
     assert found.links == (2, 3, 5)
     assert found.side == "a"
     assert found.after < 1e-3 * found.before
-    assert found.details == ("link 2: sign of x", "link 3: sign of x", "link 5: sign of y")
+    assert details(found) == ("link 2: sign of x", "link 3: sign of x", "link 5: sign of y")
 
 
 def test_the_listing_rounded_its_quarter_turns(listing):
-    found = finding(listing, "rotation-rounded")
+    found = the(listing, "rotation-rounded")
     assert found.links == (1, 4, 5)
     assert found.side == "a"
-    assert "9.6e-05 rad" in found.details[0]
+    assert "9.6e-05 rad" in details(found)[0]
 
 
 def test_the_listing_has_its_own_gravity(listing):
-    assert "9.806 and 9.81" in finding(listing, "gravity-value").sentence
+    assert "9.806 and 9.81" in sentence(the(listing, "gravity-value"), listing.pair)
 
 
 def test_nothing_of_the_listing_is_left(listing):
@@ -67,26 +63,26 @@ def test_nothing_of_the_listing_is_left(listing):
 
 
 def test_the_papers_tensors_are_unrotated_and_square_three_r(tables):
-    both = finding(tables, "tensor-axes + cylinder-3r-squared")
+    both = the(tables, "tensor-axes + cylinder-3r-squared")
     assert both.side == "a"
     assert {2, 3} <= set(both.links)
-    alone = finding(tables, "cylinder-3r-squared")
+    alone = the(tables, "cylinder-3r-squared")
     assert sorted((*both.links, *alone.links)) == [1, 2, 3, 4, 5, 6]
 
 
 def test_the_cylinders_behind_the_papers_tensors_are_named(tables):
-    details = " ".join(finding(tables, "tensor-axes + cylinder-3r-squared").details)
-    assert "a cylinder of radius 0.06 m and length 0.56 m along x" in details
+    words = " ".join(details(the(tables, "tensor-axes + cylinder-3r-squared")))
+    assert "a cylinder of radius 0.06 m and length 0.56 m along x" in words
 
 
 def test_the_appendix_takes_its_centres_from_its_cylinders(tables):
-    found = finding(tables, "centre-of-shape")
+    found = the(tables, "centre-of-shape")
     assert found.side == "b"
     assert found.links == (1, 2, 3, 4, 5, 6)
 
 
 def test_the_appendix_is_turned_by_half_a_turn(tables):
-    assert "180° about z" in finding(tables, "base-turned").sentence
+    assert "180° about z" in sentence(the(tables, "base-turned"), tables.pair)
 
 
 def test_what_is_left_of_the_tables_are_digits(tables):
@@ -97,38 +93,22 @@ def test_what_is_left_of_the_tables_are_digits(tables):
 def test_swapping_the_arms_swaps_the_sides(tables):
     swapped = diagnosed("appendix", "paper")
     sides = {"a": "b", "b": "a", None: None}
-    assert {(f.id, f.links, f.side) for f in swapped.findings} == {
-        (f.id, f.links, sides[f.side]) for f in tables.findings
+    assert {(f.id, f.links, f.side) for f in swapped.mistakes} == {
+        (f.id, f.links, sides[f.side]) for f in tables.mistakes
     }
 
 
 def test_the_librarys_wrists_have_ten_times_the_radius(library):
-    found = finding(library, "cylinder-radius")
+    found = the(library, "cylinder-radius")
     assert found.links == (4, 5)
     assert found.side == "a"
-    assert "10 times too large" in found.sentence
-    assert "as written: a cylinder of radius 0.6 m" in found.details[0]
-    assert any("link 6's tensor" in said and "radius 0.6 m" in said for said in library.remarks)
+    assert "10 times too large" in sentence(found, library.pair)
+    assert "as written: a cylinder of radius 0.6 m" in details(found)[0]
+    remarks = [remark(mismatch, library) for mismatch in library.unexplained]
+    assert any("link 6's tensor" in words and "radius 0.6 m" in words for words in remarks)
 
 
 def test_an_arm_and_itself_have_no_mistake():
     same = diagnosed("appendix", "appendix")
-    assert not same.findings
+    assert not same.mistakes
     assert not same.unexplained
-
-
-def test_axes_that_coincide_are_read_as_they_are():
-    reading, rivals = best_reading(pair_up(*map(ur5check.load, ("paper", "appendix"))))
-    assert not reading.moved.any()
-    assert not rivals
-
-
-def test_the_printed_axial_moments_are_those_of_cylinders():
-    # FACTS: every printed I_zz equals ½ m r²; r = 0.06 m but for the last link.
-    for link, radius in zip(
-        ur5check.load("appendix").links, (0.06, 0.06, 0.06, 0.06, 0.06, 0.0375), strict=True
-    ):
-        inertia = link.inertia.expressed_in(link.source_frame.inverse())
-        fitted = fit_cylinder(inertia.mass, inertia.tensor)
-        assert fitted is not None
-        assert fitted.radius == pytest.approx(radius, rel=1e-6)
