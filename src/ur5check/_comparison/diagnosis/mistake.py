@@ -9,9 +9,9 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ..._finding import Severity
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
-from ..._finding import Severity
 from ..._rules.rule import Rule
 from ..arm_pair import Pair, Side
 from .link_numbers import Body, LinkPair
