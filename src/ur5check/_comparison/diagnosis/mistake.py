@@ -103,12 +103,13 @@ class Mistake:
             name=self.id,
             severity=self.severity,
             checks=f"whether {self.says}",
-            why=self.consequence,
+            why="two models of one robot must give the same torques for the same motion",
+            consequence=self.consequence,
             bad=self.bad,
             good=self.good,
             fix=self.repair,
             report=next((source for source in self.sources if "#" in source), ""),
-            example="",
+            example="words",
         )
 
 
