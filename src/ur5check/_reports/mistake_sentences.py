@@ -122,11 +122,12 @@ def _values(found: ArmDifference, names: Mapping[Side, str]) -> dict[str, str]:
     having = [
         name for name, motors in zip(names.values(), found.motors, strict=True) if motors.any()
     ]
+    joints = [str(number) for number, _ in found.joints]
     return {
         "a": names["a"],
         "b": names["b"],
         "arm": names[found.side or "b"],
-        "joints": joined([str(number) for number, _ in found.joints]),
+        "joints": f"joint{'s' if len(found.joints) > 1 else ''} {joined(joints)}",
         "angles": joined([f"{np.degrees(value):+.4g}°" for _, value in found.joints]),
         "base": base_in_words(found.base),
         "gravity": joined([f"{np.linalg.norm(g):.6g}" for g in found.gravity]),
