@@ -190,11 +190,11 @@ def test_public_names_are_all_there():
 def test_the_typed_names_are_those_that_are_found_lazily():
     tree = ast.parse((ROOT / "__init__.py").read_text())
     typed = {
-        alias.name: "." + (node.module or "")
+        alias.asname or alias.name: f".{node.module}" + (f":{alias.name}" * bool(alias.asname))
         for block in tree.body
         if isinstance(block, ast.If)
         for node in block.body
         if isinstance(node, ast.ImportFrom)
         for alias in node.names
     }
-    assert typed == ur5check._HOMES
+    assert typed == ur5check._DEFINED_IN

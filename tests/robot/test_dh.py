@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import ur5check
+from ur5check._errors import ModelError
 from ur5check._robot import DHRow, Inertia, arm_from_dh
 from ur5check._robot.states import random_states
 
@@ -80,5 +81,5 @@ def test_r_stands_in_place_of_d_and_a():
 
 
 def test_r_means_nothing_in_the_modified_convention():
-    with pytest.raises(ValueError, match="standard convention"):
+    with pytest.raises(ModelError, match="standard convention"):
         arm_from_dh("a", rows(r=np.zeros(3)), convention="modified")

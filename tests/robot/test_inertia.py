@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 
 from ur5check import strategies
+from ur5check._errors import ModelError
 from ur5check._robot import Inertia, parameter_map
 
 
@@ -71,10 +72,10 @@ def test_nothing_welded_to_nothing_is_nothing():
     ],
 )
 def test_an_inertia_of_no_numbers_is_refused(mass, com, tensor, words):
-    with pytest.raises(ValueError, match=words):
+    with pytest.raises(ModelError, match=words):
         Inertia(mass, com, tensor)
 
 
 def test_parameters_without_mass_are_refused():
-    with pytest.raises(ValueError, match="without mass"):
+    with pytest.raises(ModelError, match="without mass"):
         Inertia.from_parameters([0, 1, 0, 0, 0, 0, 0, 0, 0, 0])

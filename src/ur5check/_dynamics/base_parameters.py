@@ -7,10 +7,10 @@ V2 so that V2[D] is regular; the others are the base B, and
     Y π = Y[B] π_B,     π_B = π[B] + β π[D],     β = −V2[B] V2[D]⁻¹.
 
 This is the second method of M. Gautier, "Numerical calculation of the base inertial parameters of
-robots", Journal of Robotic Systems 8(4), 1991, pp. 485–506; the first, a QR decomposition, picks
-the same columns.  Which columns may be base is a matter of choice.  We walk from the least wanted
-one upwards and call a column dependent whenever that still leaves V2[D] regular, so the base
-holds the most wanted ones: the rule of a greedy basis, seen from the null space.
+robots", Journal of Robotic Systems 8(4), 1991, pp. 485–506; the first, a QR decomposition, selects
+the same columns.  The choice of base columns is not unique.  Columns are tried from the least to
+the most preferred, and one is dependent if V2[D] stays regular with it: a greedy basis that holds
+the most preferred columns.
 """
 
 from __future__ import annotations
@@ -24,25 +24,24 @@ from .._robot.transforms import Array
 
 __all__ = ["SAME_DIRECTION", "Decomposition", "decompose"]
 
-#: What is smaller than this is a rounded digit of the geometry, not a direction of its own: the
-#: microradian and the micrometre of `alignment`.
+#: Directions smaller than this are rounding of the geometry's digits: the microradian and the
+#: micrometre of `alignment`.
 SAME_DIRECTION = 1e-6
 
-_ZERO_TOLERANCE = (
-    1e-12  # of a coefficient that is zero: rounding of V, some hundred times amplified
-)
+#: Largest coefficient that is taken as zero: rounding of V, amplified some hundred times.
+_ZERO_TOLERANCE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class Decomposition:
-    """What a matrix with c columns of rank r can tell.
+    """Rank, base and null space of a matrix with c columns and rank r.
 
     singular_values : of the scaled columns, descending, shape (c,)
     gap : smallest kept over largest dropped singular value, the latter at least rounding
     base, dependent : column numbers, ascending, shapes (r,) and (c − r,)
     beta : shape (r, c − r)
-    seen, unseen : for each column, how much of its unit vector lies in the row space and how much
-        in the null space; shape (c,), seen² + unseen² = 1
+    seen, unseen : norms of each column's unit vector projected on the row space and on the null
+        space, shape (c,); seen² + unseen² = 1
     """
 
     rank: int
@@ -58,10 +57,10 @@ class Decomposition:
 def decompose(Y: Array, scale: Array, preference: Sequence[int]) -> Decomposition:
     """Rank and base of Y, shape (rows, c), with at least as many rows as columns.
 
-    scale : size of each column's unit, shape (c,), so that columns of different units compare
-    preference : all column numbers, the one most wanted as a base parameter first
+    scale : size of one unit of each column, shape (c,), which makes different units comparable
+    preference : all column numbers, the most preferred base parameter first
 
-    The rank is where the singular values fall most steeply.
+    The rank is where the ratio of successive singular values is largest.
     """
     columns = Y.shape[1]
     _, s, Vt = np.linalg.svd(np.linalg.qr(Y / scale, mode="r"))
@@ -81,8 +80,8 @@ def decompose(Y: Array, scale: Array, preference: Sequence[int]) -> Decompositio
 
 
 def _dependent(V2: Array, preference: Sequence[int]) -> tuple[int, ...]:
-    """As many rows of V2, independent of each other, as it has columns: the least wanted ones."""
-    rest = V2.copy()  # of each row, what the chosen ones do not span
+    """Independent rows of V2, as many as it has columns: the least preferred ones."""
+    rest = V2.copy()  # of each row, the part outside the span of the chosen ones
     chosen: list[int] = []
 
     def choose(row: int) -> None:
@@ -95,6 +94,6 @@ def _dependent(V2: Array, preference: Sequence[int]) -> tuple[int, ...]:
     for row in reversed(preference):
         if len(chosen) < V2.shape[1] and np.linalg.norm(rest[row]) > SAME_DIRECTION:
             choose(row)
-    while len(chosen) < V2.shape[1]:  # only near-dependent rows are left: the largest of them
+    while len(chosen) < V2.shape[1]:  # only nearly dependent rows remain: take the largest
         choose(int(np.linalg.norm(rest, axis=1).argmax()))
     return tuple(sorted(chosen))

@@ -1,15 +1,15 @@
-"""An arm as the recursion reads it: one `LinkConstants` a link, everything in frame i.
+"""The constants of an arm that the recursion needs: one `LinkConstants` a link, in frame i.
 
-The recursion wants, of link i (paper, eqs 9–15):
+For link i (paper, eqs 9–15):
 
     R_i         rotation from frame i to frame i−1        depends on q_i when revolute
-    b_i         joint axis in frame i                     constant: J_i does not move its own axis
+    b_i         joint axis in frame i                     constant: J_i leaves its axis fixed
     r_{i−1,i}   origin i−1 to origin i, in frame i        constant, + b_i q_i when prismatic
     r_{i,ci}    origin i to centre of mass, m_i, I_i      constant
 
 For a joint about any unit axis u, let C be a constant rotation with C z = u.  Then
-R_i = C Rot_z(q_i) Cᵀ R(P_i): one text serves every axis, and for the axes that people use C is a
-permutation, which costs nothing.
+R_i = C Rot_z(q_i) Cᵀ R(P_i) for every axis, and for an axis along ±x, ±y or ±z the matrix C is a
+signed permutation, which costs no multiplication.
 """
 
 from __future__ import annotations
@@ -28,18 +28,18 @@ __all__ = ["Chain", "LinkConstants", "Rotation", "chain_of"]
 
 @dataclass(frozen=True, slots=True)
 class LinkConstants:
-    """What the recursion knows of link i before it sees a state."""
+    """The quantities of link i that do not depend on the state."""
 
     prismatic: bool
     before: Matrix  # C
     after: Matrix  # Cᵀ R(P_i)
     b: Vector  # joint axis in frame i
     r: Vector  # r_{i−1,i} at q_i = 0 [m]
-    c: Vector  # r_{i,ci}, or to whatever point h and I are about [m]
+    c: Vector  # r_{i,ci}, or from origin i to the reference point of h and I [m]
     m: Scalar  # [kg]
     armature: Scalar  # of the joint's motor [kg m²]
-    I: Matrix  # about c [kg m²]  # noqa: E741 - the field's own name
-    h: Vector = ZERO  # first moment about c: none where c is the centre of mass [kg m]
+    I: Matrix  # about c [kg m²]  # noqa: E741 - the usual symbol
+    h: Vector = ZERO  # first moment about c [kg m]: zero where c is the centre of mass
 
     def rotation(self, cos: Scalar, sin: Scalar) -> Rotation:
         """R_i, from the cosine and sine of q_i."""
@@ -52,7 +52,7 @@ class LinkConstants:
 
 @dataclass(frozen=True, slots=True)
 class Rotation:
-    """R_i = C Rot_z(q_i) Cᵀ R(P_i): `R @ v` goes from frame i to frame i−1, `R.back(v)` returns."""
+    """R_i = C Rot_z(q_i) Cᵀ R(P_i): `R @ v` goes from frame i to frame i−1, `R.back(v)` back."""
 
     link: LinkConstants
     cos: Scalar
@@ -76,13 +76,13 @@ class Chain:
     origin: Vector  # translation of B [m]
 
     def inner_gravity(self, gravity: Array) -> Vector:
-        """g_0: gravity, given in the arm's base frame, in the frame that joint 1 starts from."""
+        """g_0: gravity in frame 0 (after B), from gravity in the base frame."""
         return self.base.T @ Vector.of(gravity)
 
 
 @lru_cache(maxsize=256)
 def chain_of(arm: SerialArm) -> Chain:
-    """The constants of an arm.  An arm never changes, so they are worked out once."""
+    """The constants of an arm, computed once for each arm (an arm is immutable)."""
     links = []
     for joint, link in zip(arm.joints, arm.links, strict=True):
         P, C = link.link_tip_frame, _z_onto(joint.axis)

@@ -1,10 +1,10 @@
-"""M, C, g, T and U: the terms of the equation of motion, from the one recursion.
+"""M, C, g, T and U: the terms of the equation of motion.
 
     τ = M(q) q̈ + C(q, q̇) q̇ + g(q)                                     (paper, eq. 2)
 
-Nothing here knows a formula for a mass matrix: each term is the recursion, asked one question.
-The energies are computed from velocities and heights instead, so that the laws that tie them to
-the torques (g = ∂U/∂q, d(T+U)/dt = q̇ᵀτ) compare two different calculations.
+M, C and g are evaluations of the Newton–Euler recursion at special motions.  The energies are
+computed from velocities and positions instead, so that the laws that relate them to the torques
+(g = ∂U/∂q, d(T+U)/dt = q̇ᵀτ) compare two different calculations.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._errors import StateError
+from .._io.as_arm import ArmSource, as_arm
 from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of, joint_array
 from .chain_constants import Chain, chain_of
@@ -40,72 +41,178 @@ __all__ = [
 Acceleration = Callable[[NDArray[Any], NDArray[Any], NDArray[Any]], NDArray[Any]]
 
 
-def mass_matrix(arm: SerialArm, q: ArrayLike) -> NDArray[Any]:
-    """M(q), shape (..., n, n) [kg m²]; q of shape (..., n) [rad], real or complex.
+def mass_matrix(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
+    """Mass matrix M(q) of the joint space.
 
     Column j is the torque of a unit acceleration of joint j, at rest and without gravity:
-    M e_j = τ(q, 0, e_j).  Both triangles are computed, so M = Mᵀ is a law that can fail.
+    M e_j = τ(q, 0, e_j).  Both triangles are computed, so that M = Mᵀ can be tested.
 
-    Raises StateError for a q that is not of shape (..., n) and finite.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q : array-like, shape (..., n)
+        Joint positions [rad], or [m] for a prismatic joint; real or complex.
+
+    Returns
+    -------
+    M : ndarray, shape (..., n, n)
+        [kg m²]
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> M = ur5check.mass_matrix("paper", [0.0] * 6)
+    >>> bool(abs(M - M.T).max() < 1e-14)
+    True
     """
+    arm = as_arm(arm)
     chain = chain_of(arm)
     return evaluate(arm, lambda state: _as_rows(mass_columns(chain, state)), (arm.n, arm.n), q)
 
 
-def coriolis_matrix(arm: SerialArm, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
-    """C(q, q̇), shape (..., n, n) [N m s], built from Christoffel symbols: Ṁ − 2C is skew.
+def coriolis_matrix(arm: ArmSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
+    """Coriolis matrix C(q, q̇) of Christoffel symbols, for which Ṁ − 2C is skew-symmetric.
 
-    The velocity torque h(q̇) = C(q, q̇) q̇ is a quadratic form, h_i(u) = Σ c_ijk u_j u_k with the
-    Christoffel symbols c_ijk symmetric in j, k.  Its polarisation is therefore their contraction:
-    C e_j = Σ_k c_·jk q̇_k = ¼ [h(q̇ + e_j) − h(q̇ − e_j)], exactly.
+    The Coriolis and centrifugal torque h(q̇) = C(q, q̇) q̇ is a quadratic form,
+    h_i(u) = Σ c_ijk u_j u_k with the Christoffel symbols c_ijk symmetric in j and k, so that
+    C e_j = Σ_k c_·jk q̇_k = ¼ [h(q̇ + e_j) − h(q̇ − e_j)] exactly (polarisation).
 
-    q, qd : array-like, shape (..., n) [rad], [rad/s]; real or complex.
-    Raises StateError for arrays that are not of shape (..., n) and finite, or do not broadcast.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q, qd : array-like, shape (..., n)
+        Joint positions [rad] and velocities [rad/s] ([m] and [m/s] for a prismatic joint); real or
+        complex; leading axes broadcast.
 
-    References: Siciliano et al., Robotics (2009), ch. 7 (the symbols and the skewness).
+    Returns
+    -------
+    C : ndarray, shape (..., n, n)
+        [N m s]
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers.
+
+    References
+    ----------
+    Siciliano et al., Robotics: Modelling, Planning and Control, 2009, ch. 7.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.coriolis_matrix("paper", [0.0] * 6, [0.1] * 6).shape
+    (6, 6)
     """
+    arm = as_arm(arm)
     chain = chain_of(arm)
     return evaluate(
         arm, lambda state: _as_rows(_coriolis_columns(chain, state)), (arm.n, arm.n), q, qd
     )
 
 
-def gravity_torque(arm: SerialArm, q: ArrayLike, gravity: ArrayLike | None = None) -> NDArray[Any]:
-    """g(q), shape (..., n) [N m]: the torque that holds the arm still, τ(q, 0, 0).
+def gravity_torque(arm: ArmSource, q: ArrayLike, gravity: ArrayLike | None = None) -> NDArray[Any]:
+    """Gravity torque g(q) = τ(q, 0, 0): the torque that holds the arm at rest.
 
-    q : array-like, shape (..., n) [rad];  gravity : shape (3,), base frame [m/s²], the arm's own
-    when None.  Raises StateError for arrays of another shape, or not finite.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q : array-like, shape (..., n)
+        Joint positions [rad], or [m] for a prismatic joint; real or complex.
+    gravity : array-like, shape (3,), optional
+        In the arm's base frame [m/s²]; `arm.gravity` when None.
+
+    Returns
+    -------
+    g : ndarray, shape (..., n)
+        [N m]; [N] for a prismatic joint.
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.gravity_torque("appendix", [0.0] * 6)[1:3].round(2).tolist()
+    [-57.97, -14.48]
     """
+    arm = as_arm(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q)
 
 
 def bias_torque(
-    arm: SerialArm, q: ArrayLike, qd: ArrayLike, gravity: ArrayLike | None = None
+    arm: ArmSource, q: ArrayLike, qd: ArrayLike, gravity: ArrayLike | None = None
 ) -> NDArray[Any]:
     """C(q, q̇) q̇ + g(q), shape (..., n) [N m]: the torque of the motion without acceleration."""
+    arm = as_arm(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q, qd)
 
 
 def forward_dynamics(
-    arm: SerialArm,
+    arm: ArmSource,
     q: ArrayLike,
     qd: ArrayLike,
     tau: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> NDArray[Any]:
-    """q̈ = M⁻¹ (τ − C q̇ − g), shape (..., n) [rad/s²].
+    """Forward dynamics: q̈ = M⁻¹ (τ − C q̇ − g).
 
-    q, qd, tau : array-like, shape (..., n) [rad], [rad/s], [N m];  gravity as in `rnea`.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q, qd, tau : array-like, shape (..., n)
+        Joint positions [rad], velocities [rad/s] and torques [N m] ([m], [m/s] and [N] for a
+        prismatic joint); leading axes broadcast.
+    gravity : array-like, shape (3,), optional
+        In the arm's base frame [m/s²]; `arm.gravity` when None.
 
-    Raises StateError for arrays of another shape, or where M cannot be inverted (a link that moves
-    nothing: its arm's numbers are wrong).
+    Returns
+    -------
+    qdd : ndarray, shape (..., n)
+        [rad/s²]; [m/s²] for a prismatic joint.
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read; arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers; a singular mass matrix (a joint that moves no mass).
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> rest = [0.0] * 6
+    >>> tau = ur5check.gravity_torque("paper", rest)
+    >>> bool(abs(ur5check.forward_dynamics("paper", rest, rest, tau)).max() < 1e-9)
+    True
     """
-    M = mass_matrix(arm, q)
-    return _solved(arm, M, joint_array(arm, "tau", tau) - bias_torque(arm, q, qd, gravity))
+    arm = as_arm(arm)
+    M, bias = mass_matrix(arm, q), bias_torque(arm, q, qd, gravity)
+    given = joint_array(arm, "tau", tau)
+    try:
+        torque = given - bias
+    except ValueError:
+        raise StateError(
+            f"these shapes do not broadcast: tau {given.shape}, q and qd {bias.shape}"
+        ) from None
+    return _solved(arm, M, torque)
 
 
 def acceleration_of(arm: SerialArm, gravity: ArrayLike | None = None) -> Acceleration:
@@ -144,27 +251,79 @@ def _solved(arm: SerialArm, M: NDArray[Any], torque: NDArray[Any]) -> NDArray[An
         return np.linalg.solve(M, torque[..., None])[..., 0]
     except np.linalg.LinAlgError as error:
         raise StateError(
-            f"the mass matrix of arm {arm.name!r} is singular: some joint moves no mass; "
-            "look at its inertias with `ur5check show`"
+            f"the mass matrix of arm {arm.name!r} is singular: a joint moves no mass; "
+            "check its inertias with `ur5check show`"
         ) from error
 
 
-def kinetic_energy(arm: SerialArm, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
-    """T = Σ ½ m_i v_ci² + ½ ω_i · I_i ω_i + ½ armature_i q̇_i², shape (...) [J]; q, qd (..., n).
+def kinetic_energy(arm: ArmSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
+    """Kinetic energy T = Σ ½ m_i v_ci² + ½ ω_i · I_i ω_i + ½ armature_i q̇_i².
 
-    From the links' velocities, not from M.  Raises StateError as `rnea` does.
+    It is computed from the velocities of the links, not from M.
+
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q, qd : array-like, shape (..., n)
+        Joint positions [rad] and velocities [rad/s] ([m] and [m/s] for a prismatic joint); real or
+        complex; leading axes broadcast.
+
+    Returns
+    -------
+    T : ndarray, shape (...)
+        [J]
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> float(ur5check.kinetic_energy("paper", [0.0] * 6, [0.0] * 6))
+    0.0
     """
+    arm = as_arm(arm)
     chain = chain_of(arm)
     return evaluate(arm, lambda state: [_kinetic(chain, state)], (), q, qd)
 
 
 def potential_energy(
-    arm: SerialArm, q: ArrayLike, gravity: ArrayLike | None = None
+    arm: ArmSource, q: ArrayLike, gravity: ArrayLike | None = None
 ) -> NDArray[Any]:
-    """U = −Σ m_i g · p_ci, shape (...) [J], zero with every centre of mass at the base's origin.
+    """Potential energy U = −Σ m_i g · p_ci, zero for centres of mass at the base origin.
 
-    q of shape (..., n);  gravity as in `rnea`.  Raises StateError as `rnea` does.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q : array-like, shape (..., n)
+        Joint positions [rad], or [m] for a prismatic joint; real or complex.
+    gravity : array-like, shape (3,), optional
+        In the arm's base frame [m/s²]; `arm.gravity` when None.
+
+    Returns
+    -------
+    U : ndarray, shape (...)
+        [J]
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> weightless = ur5check.potential_energy("paper", [0.0] * 6, gravity=(0, 0, 0))
+    >>> bool(weightless == 0.0)
+    True
     """
+    arm = as_arm(arm)
     chain, g = chain_of(arm), Vector.of(gravity_of(arm, gravity))
 
     def compute(state: JointState) -> list[Scalar]:
@@ -177,7 +336,7 @@ def potential_energy(
 
 
 def mass_columns(chain: Chain, state: JointState) -> list[list[Scalar]]:
-    """M of one block of states, column by column: the torques of each joint's unit acceleration."""
+    """M of one block of states, by columns: the torques of a unit acceleration of each joint."""
     n = len(chain.links)
     still = [0.0] * n
     units = ([1.0 if i == j else 0.0 for i in range(n)] for j in range(n))

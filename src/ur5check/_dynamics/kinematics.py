@@ -1,4 +1,4 @@
-"""Where the links are: the product B · J1(q1) · P1 · … , link by link."""
+"""Forward kinematics: the product B · J1(q1) · P1 · … , link by link."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._robot.serial_arm import SerialArm
+from .._io.as_arm import ArmSource, as_arm
 from .batching import JointState, evaluate
 from .chain_constants import Chain, chain_of
 from .vectors import Scalar, Vector
@@ -55,8 +55,34 @@ def frames(chain: Chain, state: JointState) -> list[Frame]:
     return poses
 
 
-def link_frames(arm: SerialArm, q: ArrayLike) -> NDArray[Any]:
-    """Poses T_0i of the link frames i = 1 … n in the base frame, shape (..., n, 4, 4) [m]."""
+def link_frames(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
+    """Poses of all link frames in the base frame.
+
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q : array-like, shape (..., n)
+        Joint positions [rad], or [m] for a prismatic joint; real or complex.
+
+    Returns
+    -------
+    T : ndarray, shape (..., n, 4, 4)
+        Homogeneous matrices T_0i of frames i = 1 … n [m].
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or a `q` of another shape or with entries that are not
+        finite numbers.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.link_frames("paper", [0.0] * 6).shape
+    (6, 4, 4)
+    """
+    arm = as_arm(arm)
     chain = chain_of(arm)
 
     def compute(state: JointState) -> list[Scalar]:
@@ -65,20 +91,33 @@ def link_frames(arm: SerialArm, q: ArrayLike) -> NDArray[Any]:
     return evaluate(arm, compute, (arm.n, 4, 4), q)
 
 
-def forward_kinematics(arm: SerialArm, q: ArrayLike) -> NDArray[Any]:
-    """Pose of the tool frame (frame n, the arm's tip) in the base frame.
+def forward_kinematics(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
+    """Pose of the tool frame (frame n) in the base frame.
 
     Parameters
     ----------
-    q : array-like, shape (..., n) [rad], or [m] for a sliding joint; real or complex
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q : array-like, shape (..., n)
+        Joint positions [rad], or [m] for a prismatic joint; real or complex.
 
     Returns
     -------
-    T_base_tool : homogeneous matrices, shape (..., 4, 4) [m]
+    T_base_tool : ndarray, shape (..., 4, 4)
+        Homogeneous matrices [m].
 
     Raises
     ------
-    StateError : wrong length or entries that are no finite numbers.
+    InputError
+        For an arm that cannot be read, or a `q` of another shape or with entries that are not
+        finite numbers.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.forward_kinematics("paper", [0.0] * 6)[:3, 3].round(4).tolist()
+    [-0.8172, -0.1914, -0.0055]
     """
+    arm = as_arm(arm)
     chain = chain_of(arm)
     return evaluate(arm, lambda state: frames(chain, state)[-1].entries(), (4, 4), q)

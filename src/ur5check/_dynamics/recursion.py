@@ -1,9 +1,8 @@
 """The paper's recursive Newton–Euler algorithm: torques from motion (SSRN 3939013, eqs 9–15).
 
-Frame i sits at the tip frame of link i, gravity is carried from link to link as a vector of its
-own, and every vector of link i is written in frame i.  With b_i the joint axis, r_{i−1,i} from
-origin to origin and r_{i,ci} from the far origin to the centre of mass, r_{i−1,ci} = r_{i−1,i} +
-r_{i,ci}:
+Frame i is the tip frame of link i, gravity is a separate vector, and every vector of link i is
+expressed in frame i.  With b_i the joint axis, r_{i−1,i} from origin i−1 to origin i, r_{i,ci} from
+origin i to the centre of mass, and r_{i−1,ci} = r_{i−1,i} + r_{i,ci}:
 
   outward, i = 1 … n, from rest:
     ω_i     = R_iᵀ ω_{i−1} + b_i q̇_i                                                          (9)
@@ -15,18 +14,17 @@ r_{i,ci}:
     f_i = R_{i+1} f_{i+1} + m_i a_{c,i} − m_i g_i                                             (14)
     τ_i = R_{i+1} τ_{i+1} − f_i × r_{i−1,ci} + (R_{i+1} f_{i+1}) × r_{i,ci}
           + I_i α_i + ω_i × I_i ω_i                                                           (15)
-    and the joint feels b_i · τ_i.
+    The joint torque is b_i · τ_i.
 
-A motor's inertia, which the paper leaves out, adds armature_i · q̈_i to its own joint's torque.
+Three extensions of the paper's equations:
 
-A sliding joint, which the paper has no use for, adds b_i q̈_i + 2 ω_i × b_i q̇_i to both
-accelerations in place of its share of (9) and (10), and feels b_i · f_i.
-
-Two liberties for `closed_form`, which cost nothing where they are not taken.  A link may be held
-about another point than its centre of mass: it then has a first moment h_i about that point, which
-adds α_i × h_i + ω_i × (ω_i × h_i) to f_i and h_i × (a_{c,i} − g_i) to τ_i.  And the base may
-accelerate: by `base_acceleration` = −g_0 instead of gravity, which no joint can tell apart (Luh,
-Walker & Paul 1980).
+- The inertia of a motor adds armature_i · q̈_i to the torque of its joint.
+- A prismatic joint adds b_i q̈_i + 2 ω_i × b_i q̇_i to both accelerations instead of its terms in
+  (9) and (10); its joint force is b_i · f_i.
+- For the closed form (`symbolic`), the reference point of a link need not be its centre of mass:
+  the first moment h_i about that point adds α_i × h_i + ω_i × (ω_i × h_i) to f_i and
+  h_i × (a_{c,i} − g_i) to τ_i.  And gravity may be replaced by `base_acceleration` = −g_0, which
+  gives the same torques (Luh, Walker & Paul 1980).  Both cost nothing where they are not used.
 """
 
 from __future__ import annotations
@@ -36,7 +34,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._robot.serial_arm import SerialArm
+from .._io.as_arm import ArmSource, as_arm
 from .batching import JointState, evaluate, gravity_of
 from .chain_constants import Chain, LinkConstants, Rotation, chain_of
 from .vectors import ZERO, Scalar, Vector, plus, times
@@ -46,18 +44,18 @@ __all__ = ["LinkMotion", "inward", "joint_torques", "outward", "rnea"]
 
 @dataclass(frozen=True, slots=True)
 class LinkMotion:
-    """How link i moves; every vector in frame i."""
+    """Motion of link i; every vector in frame i."""
 
     link: LinkConstants
     R: Rotation  # R_i
     r: Vector  # r_{i−1,i} [m]
     w: Vector  # ω_i [rad/s]
     dw: Vector  # α_i [rad/s²]
-    a: Vector  # acceleration of the body's point at origin i−1, [m/s²]
+    a: Vector  # acceleration of the point of the link at origin i−1 [m/s²]
     g: Vector  # gravity [m/s²]
 
     def acceleration_at(self, r: Vector) -> Vector:
-        """Of the body's point that lies `r` from origin i−1: eqs (11) and (12)."""
+        """Acceleration of the point of the link at `r` from origin i−1: eqs (11) and (12)."""
         return self.a + self.dw.cross(r) + self.w.cross(self.w.cross(r))
 
     def turning(self, h: Vector) -> Vector:
@@ -112,7 +110,7 @@ def inward(motions: list[LinkMotion]) -> list[Scalar]:
 def joint_torques(
     chain: Chain, state: JointState, gravity: Vector, base_acceleration: Vector = ZERO
 ) -> list[Scalar]:
-    """τ of one block of states: out along the arm and back, and what the motors themselves ask."""
+    """τ of one block of states: both passes of the recursion, and the motors' inertias."""
     torques = inward(outward(chain, state, gravity, base_acceleration))
     return [
         plus(torque, times(link.armature, qdd))
@@ -121,33 +119,47 @@ def joint_torques(
 
 
 def rnea(
-    arm: SerialArm,
+    arm: ArmSource,
     q: ArrayLike,
     qd: ArrayLike,
     qdd: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> NDArray[Any]:
-    """Joint torques of a motion: τ = M(q) q̈ + C(q, q̇) q̇ + g(q).
+    """Inverse dynamics by the recursive Newton–Euler algorithm: τ = M(q) q̈ + C(q, q̇) q̇ + g(q).
 
     Parameters
     ----------
-    q, qd, qdd : array-like, shape (..., n); real or complex; leading axes broadcast
-        [rad], [rad/s], [rad/s²]; for a sliding joint [m], [m/s], [m/s²].
-    gravity : array-like, shape (3,), in the arm's base frame [m/s²]; the arm's own when None,
-        which is (0, 0, −9.81) unless its source says otherwise.
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q, qd, qdd : array-like, shape (..., n)
+        Joint positions [rad], velocities [rad/s] and accelerations [rad/s²]; [m], [m/s] and [m/s²]
+        for a prismatic joint.  Real or complex; leading axes broadcast.
+    gravity : array-like, shape (3,), optional
+        In the arm's base frame [m/s²]; `arm.gravity` when None.
 
     Returns
     -------
-    tau : shape (..., n) [N m]; [N] for a sliding joint.
+    tau : ndarray, shape (..., n)
+        Joint torques [N m]; forces [N] for a prismatic joint.
 
     Raises
     ------
-    StateError : wrong length, shapes that do not broadcast, or entries that are no finite numbers.
+    InputError
+        For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers.
 
     References
     ----------
     R. Kumar, SSRN 3939013, eqs (9)–(15).
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> rest = [0.0] * 6
+    >>> ur5check.rnea("appendix", rest, rest, rest)[1:3].round(2).tolist()
+    [-57.97, -14.48]
     """
+    arm = as_arm(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q, qd, qdd)

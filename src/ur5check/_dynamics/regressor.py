@@ -1,15 +1,15 @@
-"""τ = Y(q, q̇, q̈) π: torque is linear in the ten inertial parameters of each link.
+"""The regressor: τ = Y(q, q̇, q̈) π, linear in the ten inertial parameters of each link.
 
-Parameter order within a link is that of Pinocchio's `Inertia.toDynamicParameters`, m, m c, and the
-tensor about the *origin* of frame i: Ixx Ixy Iyy Ixz Iyz Izz (`arm.PARAMETERS`).  With a the
-acceleration of frame i's origin less gravity, the link asks of its joint side, about that origin,
+The order within a link is that of Pinocchio's `Inertia.toDynamicParameters`: m, m c, and the tensor
+about the *origin* of frame i, Ixx Ixy Iyy Ixz Iyz Izz (`PARAMETERS`).  With a the acceleration of
+origin i minus gravity, the force and the moment about that origin that move the link are
 
     f = m a + α × (m c) + ω × (ω × m c)
     n = (m c) × a + I_o α + ω × I_o ω
 
-which is linear in (m, m c, I_o) by inspection (Khalil & Dombre, Modeling, Identification and
-Control of Robots, 2002, ch. 9).  Each parameter's wrench then travels down the arm as eqs (14) and
-(15) of the paper carry f and τ.
+which are linear in (m, m c, I_o) (Khalil & Dombre, Modeling, Identification and Control of Robots,
+2002, ch. 9).  The wrench of each parameter is carried to the base as in eqs (14) and (15) of the
+paper.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._robot.serial_arm import SerialArm
+from .._io.as_arm import ArmSource, as_arm
 from .batching import JointState, evaluate, gravity_of
 from .chain_constants import Chain, chain_of
 from .recursion import LinkMotion, outward
@@ -31,19 +31,48 @@ _TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
 
 
 def torque_regressor(
-    arm: SerialArm,
+    arm: ArmSource,
     q: ArrayLike,
     qd: ArrayLike,
     qdd: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> NDArray[Any]:
-    """Y(q, q̇, q̈), shape (..., n, 10 n), with rnea(arm, …) = Y @ arm.parameters() + armature ∘ q̈.
+    """The regressor of the joint torques, with rnea(arm, …) = Y @ arm.parameters() + armature ∘ q̈.
 
-    Parameters as in `rnea`; columns 10 i … 10 i + 9 belong to link i + 1, in that link's frame.
-    Y depends on the arm's geometry and gravity only, not on its inertias.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q, qd, qdd : array-like, shape (..., n)
+        Joint positions [rad], velocities [rad/s] and accelerations [rad/s²]; [m], [m/s] and [m/s²]
+        for a prismatic joint.  Real or complex; leading axes broadcast.
+    gravity : array-like, shape (3,), optional
+        In the arm's base frame [m/s²]; `arm.gravity` when None.
 
-    Raises StateError as `rnea` does.
+    Returns
+    -------
+    Y : ndarray, shape (..., n, 10 n)
+        Columns 10 i … 10 i + 9 are the parameters of link i + 1 (`Inertia.parameters`), in the
+        frame of that link.  Y depends on geometry and gravity, not on inertias.
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
+        entries that are not finite numbers.
+
+    References
+    ----------
+    Khalil & Dombre, Modeling, Identification and Control of Robots, 2002, ch. 9.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> rest = [0.0] * 6
+    >>> ur5check.torque_regressor("paper", rest, rest, rest).shape
+    (6, 60)
     """
+    arm = as_arm(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
 
@@ -86,7 +115,7 @@ def _unit_tensor(row: int, column: int, v: Vector) -> Vector:
 def _carry_down(
     motions: list[LinkMotion], f: Vector, moment: Vector, Y: list[list[Scalar]], column: int
 ) -> None:
-    """What each joint from link i down to the base feels of a wrench at the origin of frame i."""
+    """The torque at each joint from i to the base of a wrench at the origin of frame i."""
     for joint in range(len(motions) - 1, -1, -1):
         motion = motions[joint]
         moment = moment + motion.r.cross(f)  # now about origin i−1, still in frame i

@@ -1,10 +1,10 @@
 """Three-component vectors and matrices over any scalar: a float, an array of states, a symbol.
 
-A component is a Python float when it is a constant of the arm, and anything with + − × otherwise: a
-NumPy array holding one number per state, a complex one, a SymPy expression.  Constants 0 and ±1
-are dropped as they meet an operation, so that a chain full of zeros (a DH table is one) costs only
-what is left of it, and closed forms come out without a `0*sin(q)` in them.  Nothing is compared but
-those constants, nothing is conjugated: complex steps pass through.
+A component is a Python float when it is a constant of the arm, and otherwise anything with + − ×: a
+real or complex NumPy array with one number per state, or a SymPy expression.  Operations with
+constants 0 and ±1 are not carried out, so that the many zeros of a chain (a DH table, for instance)
+cost nothing and closed forms contain no `0*sin(q)`.  Only these constants are compared and nothing
+is conjugated, so that complex-step derivatives are exact.
 """
 
 from __future__ import annotations

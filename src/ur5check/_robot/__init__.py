@@ -1,4 +1,4 @@
-"""What an arm is.  Pure values: nothing here reads a file or computes a torque."""
+"""An arm as values.  Nothing here reads a file or computes a torque."""
 
 from .dh import DHRow, arm_from_dh
 from .inertia import PARAMETERS, Inertia, parameter_map

@@ -2,8 +2,8 @@
 
 Standard convention, eq. (1) of the paper:  A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i).
 Modified (Craig's) convention:  A_i = Rot_x(α_{i−1}) Trans_x(a_{i−1}) Rot_z(θ_i) Trans_z(d_i).
-Before the first stands a fixed `base` and after the last a fixed `tool`; without them a table can
-only begin on the first axis and end on a common normal.
+A constant `base` precedes the first row and a constant `tool` follows the last: without them, a
+table can only begin on the first joint axis and end on a common normal.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import Literal
 
 import numpy as np
 
+from .._errors import ModelError
 from .inertia import Inertia
 from .serial_arm import STANDARD_GRAVITY, Joint, Limits, Link, SerialArm, Source
 from .transforms import Array, Transform
@@ -29,9 +30,9 @@ class DHRow:
 
     d, a : [m];  alpha, offset : [rad].  The joint variable is θ = q + offset (revolute), or
     d = q + `d` with θ = offset (prismatic).
-    r : origin of frame i−1 to origin of frame i, in frame i, shape (3,) [m].  A listing that writes
-        this vector out instead of deriving it from d and a may disagree with them: the recursion
-        sees only r, so where `r` is given it stands in place of d and a (standard convention only).
+    r : link vector, origin of frame i−1 to origin of frame i, in frame i, shape (3,) [m]; where it
+        is given it replaces d and a (standard convention only), for listings that state it
+        independently of them
     inertia : in the DH frame i
     armature, damping, friction : see `Joint`
     """
@@ -74,20 +75,22 @@ def arm_from_dh(
 
     base : pose of the table's frame 0 in the base frame;  tool : of the tip in the table's frame n
 
-    Raises ValueError if a row carries `r` under the modified convention, where frame i sits at the
-    near end of link i and r would mean something else.
+    Raises ModelError if a row has `r` under the modified convention, whose frame i lies at the
+    joint of link i, so that r would not be the link vector.
     """
     before = Transform.identity()
     link_tip_frames = [row.standard_link_tip_frame() for row in rows]
     if convention == "modified":
         if any(row.r is not None for row in rows):
-            raise ValueError("r is a vector of the standard convention's frames")
+            raise ModelError(
+                "r is defined in the frames of the standard convention only",
+                fix="leave r out, or use the standard convention",
+            )
         befores = [
             Transform.rotation(_X, row.alpha) @ Transform.translation((row.a, 0.0, 0.0))
             for row in rows
         ]
-        # The frame i of the table ends with Trans_z(d_i), and so does ours: what comes before the
-        # next joint belongs to that joint's own start.
+        # A row of the table ends with Trans_z(d_i); P_i also contains what precedes joint i+1.
         afters = [
             Transform.rotation(_Z, row.offset) @ Transform.translation((0.0, 0.0, row.d))
             for row in rows

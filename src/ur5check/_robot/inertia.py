@@ -1,4 +1,4 @@
-"""The ten numbers that say how a rigid body moves: mass, centre of mass, inertia tensor."""
+"""The ten inertial parameters of a rigid body: mass, centre of mass, inertia tensor."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._arguments import number
+from .._errors import ModelError
 from .transforms import Array, Transform, frozen, skew
 
 __all__ = ["PARAMETERS", "Inertia", "parameter_map"]
@@ -15,19 +17,36 @@ __all__ = ["PARAMETERS", "Inertia", "parameter_map"]
 #: mass [kg], first moment [kg m], and the tensor about the *frame's origin* [kg m²].
 PARAMETERS = ("m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz")
 
-_UPPER = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))  # where Ixx, Ixy, … stand in the matrix
+_UPPER = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))  # indices of Ixx, Ixy, … in the matrix
 
 
 @dataclass(frozen=True, eq=False)
 class Inertia:
-    """A rigid body's inertia, held in some frame.
+    """Inertia of a rigid body, expressed in one frame.
 
-    mass : [kg]
-    com : centre of mass in the frame, shape (3,) [m]
-    tensor : inertia about the centre of mass, along the frame's axes, shape (3, 3) [kg m²]
+    Finite numbers with a symmetric tensor are accepted even if no body can have them; see
+    `principal_moments` and `triangle_margin`.
 
-    Any numbers are taken, as long as they are finite and the tensor is symmetric: whether a real
-    body could have them is asked by `principal_moments` and `triangle_margin`.
+    Parameters
+    ----------
+    mass : float
+        [kg]
+    com : array-like, shape (3,)
+        Centre of mass in the frame [m].
+    tensor : array-like, shape (3, 3)
+        Inertia about the centre of mass, along the axes of the frame [kg m²].
+
+    Raises
+    ------
+    ModelError
+        For other shapes, entries that are not finite, or a tensor that is not symmetric.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from ur5check import Inertia
+    >>> Inertia(2.0, [0.1, 0.0, 0.0], 0.01 * np.eye(3)).parameters()[:2].tolist()
+    [2.0, 0.2]
     """
 
     mass: float
@@ -35,17 +54,22 @@ class Inertia:
     tensor: Array
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "mass", float(frozen(self.mass, ())))
-        object.__setattr__(self, "com", frozen(self.com, (3,)))
-        tensor = frozen(self.tensor, (3, 3))
+        object.__setattr__(self, "mass", float(frozen(self.mass, (), "mass")))
+        object.__setattr__(self, "com", frozen(self.com, (3,), "com"))
+        tensor = frozen(self.tensor, (3, 3), "tensor")
         asymmetry = np.abs(tensor - tensor.T).max()
-        # Rotating a tensor leaves rounding off the diagonal: a few ulp of its largest entry.
+        # A rotated tensor is asymmetric by rounding: a few ulp of its largest entry.
         if asymmetry > 64 * np.finfo(float).eps * np.abs(tensor).max():
-            raise ValueError(f"an inertia tensor must be symmetric, got {tensor.tolist()}")
+            raise ModelError(
+                "the inertia tensor is not symmetric",
+                fix="give ixy = iyx, ixz = izx and iyz = izy",
+                value=tensor.tolist(),
+            )
         object.__setattr__(self, "tensor", frozen((tensor + tensor.T) / 2, (3, 3)))
 
     @classmethod
     def zero(cls) -> Inertia:
+        """No mass and no inertia."""
         return cls(0.0, np.zeros(3), np.zeros((3, 3)))
 
     @classmethod
@@ -61,28 +85,33 @@ class Inertia:
         ixz: float = 0.0,
         iyz: float = 0.0,
     ) -> Inertia:
-        """From the six entries that a URDF or a table prints, about the centre of mass."""
+        """From mass [kg], centre of mass [m] and the six entries of the tensor about it [kg m²]."""
+        ixx, iyy, izz = number("ixx", ixx), number("iyy", iyy), number("izz", izz)
+        ixy, ixz, iyz = number("ixy", ixy), number("ixz", ixz), number("iyz", iyz)
         tensor = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
-        return cls(mass, np.asarray(com, dtype=np.float64), tensor)
+        return cls(mass, frozen(com, (3,), "com"), tensor)
 
     @classmethod
     def from_parameters(cls, parameters: ArrayLike) -> Inertia:
-        """From the ten parameters of `PARAMETERS`; the mass must not be zero.
+        """From the ten parameters of `PARAMETERS`, shape (10,); all are zero if the mass is.
 
-        The tensor about the centre of mass is I_c = I_o + m S(c)² (parallel axes).
+        The tensor about the centre of mass is I_c = I_o + m S(c)² (parallel-axis theorem).
         """
-        pi = frozen(parameters, (10,))
+        pi = frozen(parameters, (10,), "parameters")
         if pi[0] == 0.0:
             if pi.any():
-                raise ValueError(
-                    "a body without mass has no centre of mass: its parameters must all be 0"
+                raise ModelError(
+                    "a body without mass has no centre of mass",
+                    fix="give it mass, or ten zeros",
+                    value=pi.tolist(),
                 )
             return cls.zero()
         about_origin = np.zeros((3, 3))
         for value, (row, column) in zip(pi[4:], _UPPER, strict=True):
             about_origin[row, column] = about_origin[column, row] = value
         com = pi[1:4] / pi[0]
-        # Symmetric in every entry: where parallel axes all but cancel, rounding would not be.
+        # Exactly symmetric; m S(c)² is so only to rounding, which shows where the two parts of the
+        # tensor nearly cancel.
         parallel_axes = pi[0] * (com @ com * np.eye(3) - np.outer(com, com))
         return cls(float(pi[0]), com, about_origin - parallel_axes)
 
@@ -94,11 +123,11 @@ class Inertia:
         )
 
     def expressed_in(self, T_ab: Transform) -> Inertia:
-        """This inertia, held in b, as the same body's inertia held in a."""
+        """The same body's inertia in frame a, where this one is in frame b."""
         return Inertia(self.mass, T_ab.R @ self.com + T_ab.p, T_ab.R @ self.tensor @ T_ab.R.T)
 
     def __add__(self, other: Inertia) -> Inertia:
-        """The inertia of two bodies, held in the same frame, welded together."""
+        """The inertia of two bodies fixed to each other, both expressed in the same frame."""
         mass = self.mass + other.mass
         if mass == 0.0:
             return Inertia.zero()
@@ -116,17 +145,17 @@ class Inertia:
     def triangle_margin(self) -> float:
         """Smallest of I_a + I_b − I_c over the principal moments [kg m²].
 
-        Negative for no body of positive density (Wensing, Kim & Slotine 2018).
+        It is not negative for any body of positive density (Wensing, Kim & Slotine 2018).
         """
         moments = self.principal_moments()
         return float(moments[0] + moments[1] - moments[2])
 
 
 def parameter_map(T_ab: Transform) -> Array:
-    """The matrix A, shape (10, 10), with π_a = A π_b: a body's parameters held in b, held in a.
+    """The matrix A, shape (10, 10), with π_a = A π_b: parameters in frame b to frame a.
 
     The pseudo-inertia J = [[Σ, m c], [(m c)ᵀ, m]] with Σ = ½ tr(I_o) 1 − I_o moves as
-    J_a = T J_b Tᵀ (Wensing, Kim & Slotine 2018), which makes the map linear in π, mass or no mass.
+    J_a = T J_b Tᵀ (Wensing, Kim & Slotine 2018), which is linear in π also for a body without mass.
     """
     T = T_ab.matrix()
     columns = [_from_pseudo_inertia(T @ _pseudo_inertia(unit) @ T.T) for unit in np.eye(10)]

@@ -1,12 +1,10 @@
-"""One value for an arm, whatever it was read from.
-
-Every source becomes a `SerialArm`, built on one grammar:
+"""A serial arm as one value, in one form for every source:
 
     T_base→tool(q) = B · J1(q1) · P1 · J2(q2) · P2 · … · Jn(qn) · Pn
 
-`B` is fixed, `Ji(qi)` turns by qi about (or slides by qi along) a unit axis, `Pi` is fixed.
-Frame i sits at the tip frame of link i, right after Pi, where the paper's recursion (eqs 9–15) has
-it.
+B is constant, J_i(q_i) rotates by q_i about (or translates by q_i along) a unit axis, and P_i, the
+link tip frame, is constant.  Frame i lies after P_i, at the tip of link i, as in the paper's
+recursion (eqs 9–15).
 
     source          axis    B                      P_i
     standard DH     z       1                      Trans_z(d) Trans_x(a) Rot_x(α)
@@ -16,31 +14,43 @@ it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
+from .._arguments import choice, instance
+from .._errors import ModelError, UsageError
 from .inertia import Inertia
 from .transforms import Array, Transform, frozen
 
-_SAME_FRAME = 1e-9  # a frame and its inverse's inverse, rounded
+#: Largest rounding between a frame and the inverse of its inverse.
+_SAME_FRAME = 1e-9
 
 #: Writers put the largest double where a format demands a limit and none is known.
 _NO_LIMIT = 1e100
 
 __all__ = ["STANDARD_GRAVITY", "Joint", "Limits", "Link", "SerialArm", "Source"]
 
-#: Gravity in an arm's base frame unless its source says otherwise [m/s²]; Pinocchio's default.
+_T = TypeVar("_T")
+
+#: Gravity in an arm's base frame where the source gives none [m/s²]; Pinocchio's default.
 STANDARD_GRAVITY = (0.0, 0.0, -9.81)
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What a joint may do; None where the source does not say.
+    """Limits of a joint, None where the source gives none.
 
-    lower, upper : position [rad] or [m];  velocity : [rad/s] or [m/s];  effort : [N m] or [N]
+    Parameters
+    ----------
+    lower, upper : float or None
+        Position [rad] or [m].
+    velocity : float or None
+        [rad/s] or [m/s]
+    effort : float or None
+        Torque [N m] or force [N].
     """
 
     lower: float | None = None
@@ -61,13 +71,31 @@ class Limits:
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """Joint i: J_i(q_i) turns about, or slides along, the unit vector `axis` through the origin of
-    the frame it starts from (frame i−1 after P_{i−1}, or the base after B).
+    """A joint that rotates about, or translates along, an axis through the origin of frame i−1.
 
-    armature : inertia of the joint's own motor, seen through its gear, [kg m²] or [kg].  It resists
-        the joint's acceleration and nothing else: τ_i += armature · q̈_i
-    damping, friction : of the joint's bearing, [N m s/rad] and [N m], or [N s/m] and [N].  Held
-        for audits and simulations; the recursion is about rigid bodies and leaves both out
+    Parameters
+    ----------
+    name : str
+    axis : array-like, shape (3,)
+        In frame i−1 (the base after B for the first joint); normalised, must not be zero.
+    kind : {"revolute", "prismatic"}
+    limits : Limits
+    armature : float
+        Inertia of the motor reflected through its gear [kg m²] or [kg]: τ_i += armature · q̈_i.
+    damping, friction : float
+        Viscous [N m s/rad] and dry [N m] friction ([N s/m] and [N] for a prismatic joint).  The
+        recursion leaves both out; audits and simulations use them.
+
+    Raises
+    ------
+    ModelError
+        For an axis that is zero, or not three finite numbers.
+
+    Examples
+    --------
+    >>> from ur5check import Joint
+    >>> Joint("elbow", (0, 0, 2)).axis.tolist()
+    [0.0, 0.0, 1.0]
     """
 
     name: str
@@ -79,11 +107,16 @@ class Joint:
     friction: float = 0.0
 
     def __post_init__(self) -> None:
-        axis = frozen(self.axis, (3,))
+        instance("name", self.name, str, "give the joint a name")
+        choice("kind", self.kind, ("revolute", "prismatic"))
+        instance("limits", self.limits, Limits, "see ur5check.Limits")
+        axis = frozen(self.axis, (3,), "axis")
         length = float(np.linalg.norm(axis))
         if length == 0.0:
-            raise ValueError(f"joint {self.name!r}: the axis must not be zero")
-        # Dividing an axis that is a unit vector already would only smear its exact zeros and ones.
+            raise ModelError(
+                "the axis is zero", fix="give its direction", element=f"joint {self.name!r}"
+            )
+        # Division would round the entries of an axis that is a unit vector already.
         unit = axis if abs(length - 1.0) <= np.finfo(float).eps else axis / length
         object.__setattr__(self, "axis", frozen(unit, (3,)))
 
@@ -98,12 +131,18 @@ class Joint:
 class Link:
     """Link i: the body that joint i moves.
 
-    far_end : P_i, the pose of frame i seen from the joint's moving side
-    inertia : of the link with all that is fixed to it, in frame i
-    source_frame : T from the frame in which the source wrote this link's inertia to frame i; the
-        identity for a DH table, P_i⁻¹ for a URDF.  Only reports use it: they speak to the reader in
-        the numbers of the reader's own file.
-    welded : bodies fixed to the link that `inertia` contains, (name, inertia in frame i)
+    Parameters
+    ----------
+    name : str
+    link_tip_frame : Transform
+        P_i, the pose of frame i in the frame that joint i moves.
+    inertia : Inertia
+        Of the link with all bodies fixed to it, in frame i.
+    source_frame : Transform
+        From the frame in which the source gives the inertia to frame i: the identity for a DH
+        table, P_i⁻¹ for a URDF.  Reports use it to show the numbers of the source.
+    welded : tuple of (str, Inertia)
+        Bodies fixed to the link that `inertia` contains, in frame i.
     """
 
     name: str
@@ -114,9 +153,7 @@ class Link:
 
     @property
     def held_near(self) -> bool:
-        """Whether the source holds the link's numbers at its joint (a URDF), not at its tip
-        frame.
-        """
+        """Whether the source gives the inertia in the joint's frame (a URDF), not the tip frame."""
         between = self.link_tip_frame @ self.source_frame
         return bool(np.abs(between.matrix() - np.eye(4)).max() < _SAME_FRAME)
 
@@ -127,10 +164,10 @@ class Source:
 
     kind : "dh", "urdf", "xacro", "mjcf", "sdf", "pinocchio" or "value" (built in Python)
     inputs : (name, SHA-256) of every file that was read, in reading order
-    urdf : the URDF text, after xacro expansion, for reference engines that bring their own parser
-    model : the `pin.Model` itself, when that is what was given
-    base, tip : names of the links (or frames) between which the arm was taken
-    notes : what a reader of a report should know of the reading ("merged fixed link 'tool0' …")
+    urdf : the URDF text, after xacro expansion, for reference engines with a parser of their own
+    model : the `pin.Model`, where the arm was made from one
+    base, tip : names of the links (or frames) at the ends of the chain
+    notes : remarks of the reader for reports ("merged fixed link 'tool0' …")
     """
 
     kind: str = "value"
@@ -142,17 +179,39 @@ class Source:
     notes: tuple[str, ...] = ()
 
     def as_value(self) -> Source:
-        """The same origin without the text or model, for an arm whose numbers were changed."""
+        """The same source without its text or model, for an arm whose numbers were changed."""
         return replace(self, urdf=None, model=None)
 
 
 @dataclass(frozen=True, eq=False)
 class SerialArm:
-    """A fixed-base serial chain of n joints, with its inertias.  Immutable.
+    """A fixed-base serial chain of n joints with the inertias of its links; immutable.
 
-    base : B [m], from the base frame to the first joint
-    gravity : in the base frame, shape (3,) [m/s²]
-    given_label : what reports call the arm where its name would not do (`labelled`)
+    Parameters
+    ----------
+    name : str
+    joints : sequence of Joint, length n
+    links : sequence of Link, length n
+        Link i is moved by joint i.
+    base : Transform
+        B, from the base frame to the first joint.
+    gravity : array-like, shape (3,)
+        In the base frame [m/s²].
+    source : Source
+    given_label : str
+        What reports call the arm instead of its name.
+
+    Raises
+    ------
+    ModelError
+        For no joint, different numbers of joints and links, or gravity that is not three finite
+        numbers.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.load("paper").joint_names[:2]
+    ('base', 'shoulder')
     """
 
     name: str
@@ -164,14 +223,14 @@ class SerialArm:
     given_label: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "joints", tuple(self.joints))
-        object.__setattr__(self, "links", tuple(self.links))
-        object.__setattr__(self, "gravity", frozen(self.gravity, (3,)))
-        if not self.joints:
-            raise ValueError(f"arm {self.name!r} has no joint")
-        if len(self.joints) != len(self.links):
-            raise ValueError(
-                f"arm {self.name!r} has {len(self.joints)} joints but {len(self.links)} links"
+        instance("name", self.name, str, "give the arm a name")
+        object.__setattr__(self, "joints", _all_of("joints", self.joints, Joint))
+        object.__setattr__(self, "links", _all_of("links", self.links, Link))
+        object.__setattr__(self, "gravity", frozen(self.gravity, (3,), "gravity"))
+        if not self.joints or len(self.joints) != len(self.links):
+            raise ModelError(
+                f"arm {self.name!r} has {len(self.joints)} joints and {len(self.links)} links",
+                fix="give one link for each joint, and at least one joint",
             )
 
     @property
@@ -186,6 +245,7 @@ class SerialArm:
 
     @property
     def joint_names(self) -> tuple[str, ...]:
+        """Names of the joints, from base to tip."""
         return tuple(joint.name for joint in self.joints)
 
     def parameters(self) -> Array:
@@ -193,32 +253,44 @@ class SerialArm:
         return np.concatenate([link.inertia.parameters() for link in self.links])
 
     def with_inertias(self, inertias: Sequence[Inertia]) -> SerialArm:
-        """The same chain carrying other inertias, given in the frames i.
+        """The same chain with other inertias, one a link, each in its frame i.
 
-        It is no longer what its file or `pin.Model` says: no engine shall read it from there.
+        Its source then has neither text nor model: engines would read the old inertias from them.
         """
+        bodies = _all_of("inertias", inertias, Inertia)
+        if len(bodies) != self.n:
+            raise UsageError(f"arm {self.name!r} has {self.n} links; give {self.n} inertias")
         links = tuple(
-            replace(link, inertia=inertia)
-            for link, inertia in zip(self.links, inertias, strict=True)
+            replace(link, inertia=inertia) for link, inertia in zip(self.links, bodies, strict=True)
         )
         return replace(self, links=links, source=self.source.as_value())
 
     @property
     def armature(self) -> Array:
-        """The joints' motor inertias, shape (n,) [kg m²] or [kg]."""
+        """Motor inertia of each joint, shape (n,) [kg m²] or [kg]."""
         return np.array([joint.armature for joint in self.joints])
 
     def with_armature(self, armature: Sequence[float] | Array) -> SerialArm:
         """The same arm with other motor inertias, shape (n,)."""
         joints = tuple(
-            replace(joint, armature=float(value))
-            for joint, value in zip(self.joints, armature, strict=True)
+            replace(joint, armature=value)
+            for joint, value in zip(
+                self.joints, frozen(armature, (self.n,), "armature").tolist(), strict=True
+            )
         )
         return replace(self, joints=joints, source=self.source.as_value())
 
     def with_gravity(self, gravity: Sequence[float] | Array) -> SerialArm:
-        """The same arm under another gravity, in its base frame [m/s²]."""
-        return replace(self, gravity=np.asarray(gravity, dtype=np.float64))
+        """The same arm under another gravity, shape (3,) in its base frame [m/s²]."""
+        return replace(self, gravity=frozen(gravity, (3,), "gravity"))
 
     def __repr__(self) -> str:
         return f"<SerialArm {self.name!r}: {self.n} joints, from {self.source.kind}>"
+
+
+def _all_of(name: str, values: Sequence[_T], kind: type[_T]) -> tuple[_T, ...]:
+    """`values` as a tuple, each of them a `kind`.  Raises UsageError."""
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise UsageError(f"{name} must be a sequence of {kind.__name__}, not {values!r:.80}")
+    hint = f"see ur5check.{kind.__name__}"
+    return tuple(instance(f"{name}[{i}]", value, kind, hint) for i, value in enumerate(values))

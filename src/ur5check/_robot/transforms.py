@@ -13,29 +13,41 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Transform", "cos_sin", "frozen", "skew"]
+from .._arguments import number, number_array
+from .._errors import ModelError
+
+__all__ = ["Array", "Transform", "cos_sin", "frozen", "skew"]
 
 Array = NDArray[np.float64]
 
-# A double cannot hold π/2; cos of the nearest one is 6e-17.  An angle within two units in the last
-# place of a multiple of π/2 *is* that multiple: 2 ulp covers `3 * pi / 2`, computed in any order.
+# π/2 is not a double; the cosine of the nearest one is 6e-17.  An angle within two units in the
+# last place of a multiple of π/2 is taken as that multiple: 2 ulp covers `3 * pi / 2`, computed in
+# any order.
 _ULPS = 2
 
 
-def frozen(values: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """A read-only float64 copy of `values`, which must have this shape and be finite."""
+def frozen(values: ArrayLike, shape: tuple[int, ...], name: str = "array") -> Array:
+    """A read-only float64 copy of `values`.
+
+    Raises ModelError, with `name`, for values that are not finite real numbers of this shape.
+    """
     # In one memory order: products of transposed and of plain arrays round differently.
-    array = np.array(values, dtype=np.float64, order="C")
+    numbers = number_array(name, values, error=_array_error)
+    array = np.array(numbers, dtype=np.float64, order="C")
     if array.shape != shape:
-        raise ValueError(f"expected shape {shape}, got {array.shape}")
+        raise ModelError(f"{name} has shape {array.shape}", fix=f"give an array of shape {shape}")
     if not np.isfinite(array).all():
-        raise ValueError(f"expected finite numbers, got {array.tolist()}")
+        raise ModelError(f"{name} is not finite", fix="give finite numbers", value=array.tolist())
     array.flags.writeable = False
     return array
 
 
+def _array_error(problem: str) -> ModelError:
+    return ModelError(problem, fix="give an array of real numbers")
+
+
 def cos_sin(angle: float) -> tuple[float, float]:
-    """Cosine and sine of `angle` [rad], exact at the doubles that stand for multiples of π/2."""
+    """Cosine and sine of `angle` [rad], exact for the doubles next to multiples of π/2."""
     quarter_turns = round(angle / (math.pi / 2))
     nearest = quarter_turns * (math.pi / 2)
     if abs(angle - nearest) <= _ULPS * math.ulp(nearest):
@@ -51,65 +63,86 @@ def skew(v: ArrayLike) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Transform:
-    """A rigid transform T_ab: rotation `R` (3, 3) and translation `p` (3,) [m].
+    """A rigid transform T_ab, from coordinates in frame b to coordinates in frame a.
 
-    The columns of R are b's axes in a; p is b's origin in a.
+    Parameters
+    ----------
+    R : array-like, shape (3, 3)
+        Rotation matrix; its columns are the axes of b in a.
+    p : array-like, shape (3,)
+        Origin of b in a [m].
+
+    Raises
+    ------
+    ModelError
+        For another shape, or entries that are not finite numbers.
+
+    Examples
+    --------
+    >>> from ur5check import Transform
+    >>> T = Transform.translation((1.0, 0.0, 0.0)) @ Transform.rotation((0, 0, 1), 0.0)
+    >>> T.p.tolist()
+    [1.0, 0.0, 0.0]
     """
 
     R: Array
     p: Array
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "R", frozen(self.R, (3, 3)))
-        object.__setattr__(self, "p", frozen(self.p, (3,)))
+        object.__setattr__(self, "R", frozen(self.R, (3, 3), "R"))
+        object.__setattr__(self, "p", frozen(self.p, (3,), "p"))
 
     @classmethod
     def identity(cls) -> Transform:
+        """The transform from a frame to itself."""
         return cls(np.eye(3), np.zeros(3))
 
     @classmethod
     def translation(cls, xyz: ArrayLike) -> Transform:
-        return cls(np.eye(3), np.asarray(xyz, dtype=np.float64))
+        """Translation by `xyz`, shape (3,) [m]."""
+        return cls(np.eye(3), frozen(xyz, (3,), "xyz"))
 
     @classmethod
     def rotation(cls, axis: ArrayLike, angle: float) -> Transform:
-        """Turn by `angle` [rad] about the unit vector `axis` (Rodrigues' formula)."""
-        u = np.asarray(axis, dtype=np.float64)
-        c, s = cos_sin(angle)
+        """Rotation by `angle` [rad] about the unit vector `axis`, shape (3,) (Rodrigues)."""
+        u = frozen(axis, (3,), "axis")
+        c, s = cos_sin(number("angle", angle))
         return cls(c * np.eye(3) + s * skew(u) + (1.0 - c) * np.outer(u, u), np.zeros(3))
 
     @classmethod
     def from_rpy(cls, xyz: ArrayLike, rpy: Sequence[float]) -> Transform:
         """URDF's `<origin xyz rpy>`: R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll), fixed axes."""
-        roll, pitch, yaw = rpy
+        roll, pitch, yaw = frozen(rpy, (3,), "rpy").tolist()
         R = (
             cls.rotation((0, 0, 1), yaw)
             @ cls.rotation((0, 1, 0), pitch)
             @ cls.rotation((1, 0, 0), roll)
         )
-        return cls(R.R, np.asarray(xyz, dtype=np.float64))
+        return cls(R.R, frozen(xyz, (3,), "xyz"))
 
     @classmethod
     def from_quaternion(cls, xyz: ArrayLike, wxyz: ArrayLike) -> Transform:
-        """From a quaternion, scalar first, of any length but zero.
+        """From a quaternion (w, x, y, z) of any norm but zero, and a translation [m].
 
-        Dividing by the squared length makes a rotation of any four numbers: quarter turns come out
-        exact although no double holds √½.
+        The formula divides by the squared norm, so that rotations by π/2 come out exact although
+        √½ is not a double.
         """
-        w, *v = (float(x) for x in np.asarray(wxyz, dtype=np.float64))
-        x, y, z = v
-        s = 2.0 / (w * w + x * x + y * y + z * z)
+        w, x, y, z = frozen(wxyz, (4,), "wxyz").tolist()
+        squared_norm = w * w + x * x + y * y + z * z
+        if squared_norm == 0.0:
+            raise ModelError("the quaternion is zero", fix="give (1, 0, 0, 0) for no rotation")
+        s = 2.0 / squared_norm
         R = [
             [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
             [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
             [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
         ]
-        return cls(np.array(R), np.asarray(xyz, dtype=np.float64))
+        return cls(np.array(R), frozen(xyz, (3,), "xyz"))
 
     @classmethod
     def from_matrix(cls, matrix: ArrayLike) -> Transform:
         """From a homogeneous matrix, shape (4, 4)."""
-        T = np.asarray(matrix, dtype=np.float64)
+        T = frozen(matrix, (4, 4), "matrix")
         return cls(T[:3, :3], T[:3, 3])
 
     def __matmul__(self, other: Transform) -> Transform:
@@ -127,7 +160,7 @@ class Transform:
         return T
 
     def angle(self) -> float:
-        """How far the rotation turns, in [0, π] rad; accurate near 0 and near π."""
+        """Angle of the rotation, in [0, π] rad; accurate near 0 and near π."""
         twice_sine = np.linalg.norm(
             [
                 self.R[2, 1] - self.R[1, 2],
