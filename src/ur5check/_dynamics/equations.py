@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._errors import StateError
-from .._io.as_arm import ArmSource, as_arm
+from .._robot.as_arm import ArmSource, as_arm
 from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of, joint_array
 from .chain_constants import Chain, chain_of

@@ -6,7 +6,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._io.as_arm import ArmSource, as_arm
+from .._robot.as_arm import ArmSource, as_arm
 from .batching import JointState, evaluate
 from .chain_constants import Chain, chain_of
 from .vectors import Scalar, Vector

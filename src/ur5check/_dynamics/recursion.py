@@ -34,7 +34,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._io.as_arm import ArmSource, as_arm
+from .._robot.as_arm import ArmSource, as_arm
 from .batching import JointState, evaluate, gravity_of
 from .chain_constants import Chain, LinkConstants, Rotation, chain_of
 from .vectors import ZERO, Scalar, Vector, plus, times

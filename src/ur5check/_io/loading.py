@@ -5,20 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
 
 from .._errors import ModelError, UsageError
 from .._robot import SerialArm
+from .._robot.as_arm import ArmSource
 from .shipped_models import SHIPPED_MODELS
 from .suggestions import did_you_mean
 
-if TYPE_CHECKING:
-    import pinocchio as pin
-
 __all__ = ["ArmSource", "load"]
-
-#: What can be taken for an arm.
-ArmSource: TypeAlias = "str | Path | SerialArm | pin.Model"
 
 _KINDS = {
     ".urdf": "urdf",
