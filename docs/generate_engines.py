@@ -17,7 +17,7 @@ from ur5check._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, 
 from ur5check._engines.audit.fleet_comparison import FLEET_SAMPLES, FleetReport, compare_fleet
 from ur5check._engines.audit.import_difference import KINDS
 from ur5check._engines.registry import READERS, REFERENCE, REGISTRY
-from ur5check._reports.engines_summary import deed, fleet_verdict
+from ur5check._reports.engines_summary import fleet_verdict, import_clause
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "engines.md"
@@ -84,10 +84,10 @@ def why(report: EngineReport) -> str:
     clauses = []
     for reading in report.as_read.readings[1:]:
         if reading.refused is not None:
-            clauses.append(f"{reading.title} {deed(reading)}: {reason(reading.refused)}")
+            clauses.append(f"{reading.title} {import_clause(reading)}: {reason(reading.refused)}")
         elif report.as_read.matrix.between(REFERENCE, reading.key).torque > SAME_ROBOT:
             links = ", ".join(f"`{one.where}`" for one in reading.imported.harmful)
-            clauses.append(f"{reading.title} {deed(reading)} ({links})")
+            clauses.append(f"{reading.title} {import_clause(reading)} ({links})")
     return "; ".join(clauses)
 
 

@@ -14,16 +14,14 @@ import ur5check
 
 ROOT = Path(ur5check.__file__).parent
 
-#: Third-party engines, and the files that may import them.
+#: Third-party engines, and the readers that may import them.  Each engine's adapter imports it
+#: lazily (`test_an_engine_is_imported_lazily_by_one_adapter`).
 ENGINES = {
-    "pinocchio": {
-        "_engines/adapters/pinocchio.py",
-        "_io/pinocchio_model.py",
-    },
-    "mujoco": {"_engines/adapters/mujoco.py", "_io/mjcf/mjcf_reader.py"},
-    "pydrake": {"_engines/adapters/drake.py", "_io/sdf/sdf_reader.py"},
-    "dartpy": {"_engines/adapters/dart.py"},
-    "idyntree": {"_engines/adapters/idyntree.py"},
+    "pinocchio": {"_io/pinocchio_model.py"},
+    "mujoco": {"_io/mjcf/mjcf_reader.py"},
+    "pydrake": {"_io/sdf/sdf_reader.py"},
+    "dartpy": set(),
+    "idyntree": set(),
 }
 
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))
@@ -130,6 +128,21 @@ def test_a_third_party_engine_is_imported_in_its_own_file_only(file):
         for engine, homes in ENGINES.items():
             if module.split(".")[0] == engine and not for_types:
                 assert file in homes, f"{file} imports {module}"
+
+
+def lazy_imports(file: str) -> set[str]:
+    """Third-party packages that a file imports by `lazy_import`."""
+    return {
+        ast.literal_eval(node.args[0]).split(".")[0]
+        for node in ast.walk(ast.parse((ROOT / file).read_text()))
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "lazy_import"
+    }
+
+
+def test_an_engine_is_imported_lazily_by_one_adapter() -> None:
+    lazy = {file: names for file in FILES if (names := lazy_imports(file))}
+    assert all(Path(file).parent.as_posix() == "_engines/adapters" for file in lazy)
+    assert sorted(name for names in lazy.values() for name in names) == sorted(ENGINES)
 
 
 def test_no_file_bears_a_public_functions_name() -> None:

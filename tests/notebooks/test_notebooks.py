@@ -67,7 +67,7 @@ EXPECTED = {
     "06-engines": (
         2,
         (
-            "ur5check, Pinocchio, Drake and iDynTree hold the same robot",
+            "ur5check, Pinocchio, Drake and iDynTree agree",
             "DART has added 2 kg",
             "with the fixes within 1e-10 N m: True",
             "all explained: True",

@@ -1,4 +1,4 @@
-"""What `engines MODEL` shows."""
+"""The report of `engines MODEL`."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def engines_document(
     if good and not report.as_read.agrees(limit):
         word = "AGREE ONCE REPAIRED"
     return Document(
-        f"{report.arm.name}: do all engines mean the same robot?",
+        f"{report.arm.name}: engine agreement",
         Verdict(word, verdict, good),
         tuple(lines),
         (_parity(report, limit), _imports(report), _engines(report)),
@@ -47,13 +47,13 @@ def engines_document(
 
 def _parity(report: EngineReport, limit: float) -> Section:
     if len(report.final.matrix.keys) < 2:
-        return Section("How far apart their answers are", ("There is one side only.",))
+        return Section("Differences between the engines", ("There is one engine only.",))
     tables = (_torques(report), _answers(report, limit))
-    return Section("How far apart their answers are", (), tables)
+    return Section("Differences between the engines", (), tables)
 
 
 def _torques(report: EngineReport) -> Table:
-    """Above the diagonal as read, below it with the fixes."""
+    """Above the diagonal as read, below it repaired."""
     keys = [reading.key for reading in report.as_read.readings]
     columns = [Column(REGISTRY[key].title, number=True) for key in keys]
     rows = []
@@ -62,11 +62,11 @@ def _torques(report: EngineReport) -> Table:
         below = [_torque(report.final, a, b) if i > j else "" for j, b in enumerate(keys)]
         cells = [x or y or "·" for x, y in zip(above, below, strict=True)]
         rows.append(Row((REGISTRY[a].title, *cells)))
-    note = f"The worst of {len(report.states):,} states"
+    note = f"The largest of {len(report.states):,} states"
     extra = len(report.states) - report.samples
-    note += f", {extra} of them sought for being the worst." if extra else "."
+    note += f", {extra} of them found by search for the worst." if extra else "."
     if report.repaired is not None:
-        note = f"Above the diagonal: as read. Below it: with the fixes. {note}"
+        note = f"Above the diagonal: as read. Below it: repaired. {note}"
     return Table((Column("|Δτ| [N m]"), *columns), tuple(rows), note=note)
 
 
@@ -77,7 +77,7 @@ def _torque(stage: Stage, a: str, b: str) -> str:
 
 
 def _answers(report: EngineReport, limit: float) -> Table:
-    """Every answer of every engine, against ours."""
+    """Every answer of every engine against the reference."""
     rows = []
     for name, stage in report.stages():
         for key in stage.matrix.keys[1:]:
@@ -85,7 +85,7 @@ def _answers(report: EngineReport, limit: float) -> Table:
                 name == "repaired"
                 and stage.reading(key).engine is report.as_read.reading(key).engine
             ):
-                continue  # it had no need of fixes, and answers as before
+                continue  # it needed no repair: the same answers
             p = stage.matrix.between(REFERENCE, key)
             numbers = (p.torque, p.mass, p.bias, p.acceleration, p.tool)
             joint = report.arm.joints[p.joint].name if p.torque > limit else MISSING
@@ -103,8 +103,8 @@ def _answers(report: EngineReport, limit: float) -> Table:
             Column("worst joint"),
         ),
         tuple(rows),
-        title="Every answer, against our recursion",
-        note="h = C q̇ + g. Accelerations under equal torques, as a part of the largest.",
+        title="Every answer against the hand-written recursion",
+        note="h = C q̇ + g. Accelerations under equal torques, relative to the largest.",
     )
 
 
@@ -116,8 +116,8 @@ def _imports(report: EngineReport) -> Section:
         for row in _differences(reading)
     ]
     if not rows:
-        return Section("What each engine reads otherwise", ("Nothing.",))
-    explained = "Together they explain every newton metre." if report.explained else ""
+        return Section("Import differences", ("Nothing.",))
+    explained = "They explain all torque differences." if report.explained else ""
     table = Table(
         (
             Column("engine"),
@@ -125,10 +125,10 @@ def _imports(report: EngineReport) -> Section:
             Column("where"),
             Column("the file"),
             Column("the engine"),
-            Column("costs [N m]", number=True),
+            Column("effect [N m]", number=True),
         ),
         tuple(rows),
-        note=f"Costs: the worst |Δτ| that it makes alone. {MISSING}: bears on no torque. "
+        note=f"Effect: the largest |Δτ| of this difference alone. {MISSING}: no torque changes. "
         f"{explained}".strip(),
     )
     repairs = tuple(
@@ -138,11 +138,11 @@ def _imports(report: EngineReport) -> Section:
         for known_issue in dict.fromkeys(one.known_issue for one in reading.imported.harmful)
         if known_issue is not None
     )
-    return Section("What each engine reads otherwise", repairs, (table,))
+    return Section("Import differences", repairs, (table,))
 
 
 def _differences(reading: Reading) -> list[Row]:
-    """One row a kind."""
+    """One row per kind."""
     if reading.imported is None:
         return []
     by_kind: dict[str, list[ImportDifference]] = {}
@@ -154,7 +154,7 @@ def _differences(reading: Reading) -> list[Row]:
 def _row(title: str, alike: Sequence[ImportDifference]) -> Row:
     first = alike[0]
     costs = [one.torque_effect for one in alike if one.torque_effect is not None]
-    held = {one.imported for one in alike}
+    imported = {one.imported for one in alike}
     written = {one.written for one in alike}
     return Row(
         (
@@ -162,7 +162,7 @@ def _row(title: str, alike: Sequence[ImportDifference]) -> Row:
             first.kind,
             _places(alike),
             _short(first.written if len(written) == 1 else f"{first.written}, …"),
-            _short(first.imported if len(held) == 1 else f"{first.imported}, …"),
+            _short(first.imported if len(imported) == 1 else f"{first.imported}, …"),
             figures(max(costs)) if costs else MISSING,
         ),
         bad=first.harmful,
@@ -183,13 +183,13 @@ def _short(text: str, most: int = 40) -> str:
 def _engines(report: EngineReport) -> Section:
     rows = [
         Row(
-            (r.title, r.version, r.route or "–", r.refused or _holds(r)),
+            (r.title, r.version, r.route or "–", r.refused or _imported_bodies(r)),
             bad=r.refused is not None,
         )
         for r in report.as_read.readings
     ]
     table = Table(
-        (Column("engine"), Column("version"), Column("was given"), Column("holds")), tuple(rows)
+        (Column("engine"), Column("version"), Column("route"), Column("imported")), tuple(rows)
     )
     lines = [
         f"{reading.title} warns: {_short(reading.warnings[0], 160)}"
@@ -204,10 +204,10 @@ def _engines(report: EngineReport) -> Section:
     return Section("The engines", tuple(lines), (table,))
 
 
-def _holds(reading: Reading) -> str:
+def _imported_bodies(reading: Reading) -> str:
     if reading.imported is None:
         return MISSING
     mass = sum(body.inertia.mass for body in reading.imported.imported_model.bodies)
     moving = sum(link.inertia.mass for link in reading.imported.imported_arm.links)
     bodies = len(reading.imported.imported_model.bodies)
-    return f"{bodies} bodies, {mass:.6g} kg, of which {moving:.6g} kg move"
+    return f"{bodies} bodies, {mass:.6g} kg, {moving:.6g} kg of them moving"

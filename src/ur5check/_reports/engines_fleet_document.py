@@ -6,7 +6,7 @@ from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, Stage
 from .._engines.audit.fleet_comparison import FleetReport
 from .._engines.registry import REFERENCE
 from .document import Column, Document, Row, Section, Table, Verdict
-from .engines_summary import deed, fleet_verdict
+from .engines_summary import fleet_verdict, import_clause
 from .provenance import Provenance, inputs_of
 from .wording import joined, residue
 
@@ -60,7 +60,7 @@ def _row(report: EngineReport, limit: float) -> Row:
     why = []
     for reading in report.as_read.readings:
         if reading.key != REFERENCE and _deviates(report.as_read, reading.key, limit):
-            why.append(f"{reading.title} {deed(reading)}")
+            why.append(f"{reading.title} {import_clause(reading)}")
     if not report.explained:
         why.append("not all of it is explained")
     return Row(

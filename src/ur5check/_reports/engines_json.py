@@ -6,7 +6,7 @@ from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.fleet_comparison import FleetReport
 from .._engines.registry import REFERENCE, REGISTRY
-from .engines_summary import deed, summarize
+from .engines_summary import import_clause, summarize
 from .json_head import json_head
 from .json_values import Report, model_value, strict
 
@@ -62,7 +62,7 @@ def engines_fleet_json(
                     "joints": report.arm.n,
                     "verdict": _verdict(report, limit, as_read),
                     "why": [
-                        {"engine": r.key, "says": deed(r)}
+                        {"engine": r.key, "says": import_clause(r)}
                         for r in report.as_read.readings
                         if r.refused is not None or r.harmful
                     ],

@@ -1,6 +1,4 @@
-"""What `engines` shows without a model: which reference engines are here, what installs the
-others.
-"""
+"""The report of `engines` without a model: the engines, their versions, what installs them."""
 
 from __future__ import annotations
 
@@ -16,21 +14,19 @@ __all__ = ["engines_list_document", "engines_list_json"]
 
 
 def engines_list_document(*, command: str = "") -> Document:
-    """The reference engines as a report."""
+    """The engines as a report."""
     rows = [
         Row((e.title, e.key, e.version or "not installed", MISSING if e.version else _install(e)))
         for e in REGISTRY.values()
     ]
     columns = (Column("engine"), Column("--with"), Column("version"), Column("to install it"))
-    lines = ("`ur5check engines MODEL` asks whether they all mean the same robot.",)
+    lines = ("`ur5check engines MODEL` compares them on a model.",)
     section = Section("Engines", (), (Table(columns, tuple(rows)),))
-    return Document(
-        "Which reference engines are here", None, lines, (section,), Provenance((), command=command)
-    )
+    return Document("Engines", None, lines, (section,), Provenance((), command=command))
 
 
 def engines_list_json(*, command: str = "") -> Report:
-    """The reference engines as ur5check.reference engines/1."""
+    """The engines as plain values for JSON (docs/json.md)."""
     return strict(
         {
             **json_head("references", (), command),

@@ -1,4 +1,4 @@
-"""A comparison of engines in a few sentences, the verdict first."""
+"""The comparison of engines in a few sentences, the verdict first."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .._engines.audit.import_difference import ImportDifference, Kind
 from .._engines.registry import REFERENCE, REGISTRY
 from .wording import joined
 
-__all__ = ["deed", "fleet_verdict", "summarize"]
+__all__ = ["fleet_verdict", "import_clause", "summarize"]
 
 _LOST: dict[Kind, str] = {
     "position-limit": "position limits",
@@ -23,15 +23,15 @@ _LOST: dict[Kind, str] = {
 _NOTHING = ("none", "0")
 _NOTES: dict[Kind, str] = {
     "order": "has its joints in another order",
-    "gravity": "has another gravity unless it is told",
-    "tool": "has its tool elsewhere",
+    "gravity": "has another default gravity",
+    "tool": "has the tool frame elsewhere",
 }
 
 
 def summarize(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) -> tuple[str, ...]:
-    """The verdict, what fixes leave, what is not explained, what users of an engine must know.
+    """The verdict, what the repairs leave, what is not explained, what users must know.
 
-    model : what the user called the arm;  limit : up to which torques count as the same [N m]
+    model : as the user named it;  limit : largest torque difference that counts as agreement [N m]
     """
     lines = [_verdict(report, model or report.arm.name, limit), _repairs(report, limit)]
     for name, stage in report.stages():
@@ -46,18 +46,18 @@ def summarize(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) 
     return tuple(line for line in lines if line)
 
 
-def deed(reading: Reading) -> str:
-    """What an engine has done to the arm, as a clause: "has added 2 kg"."""
+def import_clause(reading: Reading) -> str:
+    """What an engine did to the arm, as a clause: "has added 2 kg"."""
     if reading.refused is not None:
-        return "does not take the model"
+        return "refuses the model"
     follows = reading.explanation.follows if reading.explanation else ()
     if "order" in follows:
-        return "counts the joints in its own order"
+        return "uses its own joint order"
     if "gravity" in follows:
-        return "keeps its own gravity"
+        return "uses its own gravity"
     harmful = reading.imported.harmful if reading.imported else ()
     if not harmful:
-        return "computes something else"
+        return "computes other torques"
     worst = max(harmful, key=lambda one: one.torque_effect or 0.0)
     alike = [one for one in harmful if one.kind == worst.kind]
     return _CLAUSES.get(worst.kind, _other)(alike)
@@ -91,19 +91,17 @@ def _unrotated(alike: Sequence[ImportDifference]) -> str:
 
 
 def _motors(alike: Sequence[ImportDifference]) -> str:
-    return f"holds another motor inertia at {_count(alike, 'joint')}"
+    return f"has another motor inertia at {_count(alike, 'joint')}"
 
 
 def _axes(alike: Sequence[ImportDifference]) -> str:
-    return (
-        "turns a joint about another axis" if len(alike) == 1 else "turns joints about other axes"
-    )
+    return "has another axis of a joint" if len(alike) == 1 else "has other axes of joints"
 
 
 def _other(alike: Sequence[ImportDifference]) -> str:
     what = {"mass-changed": "mass", "com-moved": "centre of mass", "tensor-changed": "tensor"}
     place = alike[0].where if len(alike) == 1 else f"{len(alike)} links"
-    return f"holds another {what.get(alike[0].kind, alike[0].kind)} of {place}"
+    return f"has another {what.get(alike[0].kind, alike[0].kind)} of {place}"
 
 
 _CLAUSES = {
@@ -122,9 +120,9 @@ def _verdict(report: EngineReport, model: str, limit: float) -> str:
     same = next(group for group in groups if REFERENCE in group)
     others = [r for r in stage.readings if r.key not in same]
     if len(stage.readings) == 1:
-        return "Only our own recursion has read it: install another engine to compare."
+        return "Only ur5check has read the model: install another engine to compare."
     names = joined([REGISTRY[key].title for key in same])
-    said = f"{names} hold the same robot" if len(same) > 1 else f"No engine agrees with {names}"
+    said = f"{names} agree" if len(same) > 1 else f"No engine agrees with {names}"
     said += "; " + "; ".join(_deviant(report, r) for r in others) if others else ""
     repairable = [r.key for r in others if _is_repaired(report, r.key, limit)]
     if not repairable:
@@ -134,7 +132,7 @@ def _verdict(report: EngineReport, model: str, limit: float) -> str:
 
 
 def _deviant(report: EngineReport, reading: Reading) -> str:
-    clause = f"{reading.title} {deed(reading)}"
+    clause = f"{reading.title} {import_clause(reading)}"
     if reading.refused is not None:
         return clause
     worst = report.as_read.matrix.between(REFERENCE, reading.key)
@@ -153,15 +151,15 @@ def _repairs(report: EngineReport, limit: float) -> str:
         return ""
     worst = report.repaired.matrix.worst
     if report.repaired.agrees(limit):
-        return f"With the fixes all engines agree to {_force(worst)}."
-    left = [f"{r.title} does not take the model" for r in report.repaired.refusals] + (
+        return f"Repaired, all engines agree to {_force(worst)}."
+    left = [f"{r.title} refuses the model" for r in report.repaired.refusals] + (
         [f"torques differ by up to {_force(worst)}"] if worst > limit else []
     )
-    return f"With the fixes {joined(left)}."
+    return f"Repaired, {joined(left)}."
 
 
 def _use(reading: Reading) -> str:
-    """What bears on no torque, but on whoever drives this engine by hand."""
+    """Differences that change no torque but matter to users of the engine."""
     if reading.imported is None or reading.key == REFERENCE:
         return ""
     kinds = reading.imported.kinds

@@ -23,12 +23,12 @@ SAID = {
     "ShapeMass": "has added 6 kg",
     "BodyLost": "has lost 0.3 kg",
     "RotationDropped": "has left 3 tensors unrotated",
-    "MassChanged": "holds another mass of link 'upper'",
-    "CentreMoved": "holds another centre of mass of link 'upper'",
-    "Balanced": "holds another tensor of link 'upper'",
-    "MotorAdded": "holds another motor inertia at 1 joint",
-    "GravityOfItsOwn": "keeps its own gravity",
-    "OrderOfItsOwn": "counts the joints in its own order",
+    "MassChanged": "has another mass of link 'upper'",
+    "CentreMoved": "has another centre of mass of link 'upper'",
+    "Balanced": "has another tensor of link 'upper'",
+    "MotorAdded": "has another motor inertia at 1 joint",
+    "GravityOfItsOwn": "uses its own gravity",
+    "OrderOfItsOwn": "uses its own joint order",
 }
 
 
@@ -37,14 +37,14 @@ def compared(arm, *keys, **options):
 
 
 @pytest.mark.parametrize("name", SAID)
-def test_a_planted_fault_is_explained_and_told(name, arm, plant):
+def test_a_planted_fault_is_explained_and_named(name, arm, plant):
     key = plant(name)
     report = compared(arm, key, "pinocchio")
     assert not report.as_read.agrees()
     assert report.as_read.matrix.agreeing(SAME_ROBOT) == (("ur5check", "pinocchio"), (key,))
     assert report.explained
     verdict = summarize(report)[0]
-    assert f"ur5check and Pinocchio hold the same robot; {name} {SAID[name]}: " in verdict
+    assert f"ur5check and Pinocchio agree; {name} {SAID[name]}: " in verdict
     worst = report.as_read.matrix.between("ur5check", key)
     assert f"{worst.torque:.4g} N m at joint {worst.joint + 1}" in verdict
 
@@ -77,7 +77,7 @@ def test_an_engine_that_refuses_is_a_finding_and_no_agreement(arm, plant):
     (reading,) = report.as_read.refusals
     assert reading.refused == "it has no taste for this file"
     assert not report.as_read.agrees()
-    assert "Refusing does not take the model" in summarize(report)[0]
+    assert "Refusing refuses the model" in summarize(report)[0]
 
 
 def test_the_worst_state_is_worse_than_the_random_ones(arm, plant):

@@ -40,7 +40,7 @@ def read_back(text: str) -> dict[str, Any]:
 def test_those_that_agree_pass(file, capsys):
     assert engines(file, "--tip", "tool", "--with", "pinocchio", "--samples", 20) == 0
     said = capsys.readouterr().out
-    assert "AGREE: ur5check and Pinocchio hold the same robot." in said
+    assert "AGREE: ur5check and Pinocchio agree." in said
     assert "--with pinocchio --tolerance 1e-10" in said
 
 
@@ -49,7 +49,7 @@ def test_one_that_does_not_agree_fails_the_gate(file, plant, capsys):
     options = (file, "--tip", "tool", "--with", f"pinocchio,{key}", "--samples", 20)
     assert engines(*options) == 1
     said = " ".join(capsys.readouterr().out.split())
-    assert "DIFFER: ur5check and Pinocchio hold the same robot; DefaultMass has added 1 kg" in said
+    assert "DIFFER: ur5check and Pinocchio agree; DefaultMass has added 1 kg" in said
     assert "default-inertia" in said
     assert engines(*options, "--tolerance", 1e6) == 0
 
@@ -61,7 +61,7 @@ def test_dart_needs_its_repair(file, capsys):
     capsys.readouterr()
     assert engines(*options) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "AGREE ONCE REPAIRED: ur5check and Pinocchio hold the same robot" in said
+    assert "AGREE ONCE REPAIRED: ur5check and Pinocchio agree" in said
     assert "DART has added 2 kg" in said  # plate and tool have no <inertial>
     assert f"`ur5check expand {file} --for dart` repairs it." in said
 
@@ -78,7 +78,7 @@ def test_a_refusal_fails_the_gate(file, plant):
         (["appendix", "--with", "bullet"], "no engine is called 'bullet'"),
         (["appendix", "--tolerance", "-1"], "give a torque of zero or more"),
         (["appendix", "--tolerance", "nan"], "give a torque of zero or more"),
-        (["appendix", "--samples", "0"], "samples must be at least 1"),
+        (["appendix", "--samples", "0"], "samples must be a whole number of at least 1"),
         (["appendix", "--fleet"], "--fleet takes no model"),
         (["appendix", "--list"], "--list takes no model"),
         (["--list", "--fleet"], "do not go together"),

@@ -41,7 +41,7 @@ class DartEngine:
 
     arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
 
-    Raises EngineError if DART cannot take the model.
+    Raises EngineError if DART refuses the model.
     """
 
     name = "DART"
@@ -147,7 +147,7 @@ class DartEngine:
         return self._of(self.skeleton.getPositions()), self._of(self.skeleton.getVelocities())
 
     def imported_model(self) -> ImportedModel:
-        """What the `Skeleton` holds: a body for every link."""
+        """The `Skeleton`: a body for every link."""
         zero = np.zeros(self.arm.n)
         self._place(zero, zero)
         nodes = [self.skeleton.getBodyNode(k) for k in range(self.skeleton.getNumBodyNodes())]
@@ -182,8 +182,8 @@ class DartEngine:
         )
 
     def _imported_body(self, node: Any) -> ImportedBody:
-        held = node.getInertia()
-        inertia = Inertia(held.getMass(), held.getLocalCOM(), held.getMoment())
+        own = node.getInertia()
+        inertia = Inertia(own.getMass(), own.getLocalCOM(), own.getMoment())
         here = inertia.expressed_in(self._T_base_world @ _pose(node))
         return ImportedBody(str(node.getName()), self._carrier(node), here)
 
@@ -286,7 +286,7 @@ _KNOWN_ISSUES = (
         measured="6.20",
         kinds=("default-inertia",),
         harmful=True,
-        title="a link without <inertial> weighs 1 kg",
+        title="a link without <inertial> gets 1 kg",
         explanation="DART gives such a link, a tool frame for instance, 1 kg and moments of "
         "1 kg m².",
         fix="write an <inertial> of mass zero; `ur5check expand --for dart`",

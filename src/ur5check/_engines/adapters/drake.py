@@ -40,7 +40,7 @@ class DrakeEngine:
 
     arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
 
-    Raises EngineError if Drake cannot take the model.
+    Raises EngineError if Drake refuses the model.
     """
 
     name = "Drake"
@@ -134,7 +134,7 @@ class DrakeEngine:
         return self._each(gravity, q)
 
     def imported_model(self) -> ImportedModel:
-        """What the `MultibodyPlant` holds: a body for every link."""
+        """The `MultibodyPlant`: a body for every link."""
         zero = np.zeros(self.arm.n)
         self._place(zero, zero)
         above = {}
@@ -177,12 +177,12 @@ class DrakeEngine:
         )
 
     def _imported_body(self, body: Any, above: dict[int, Any]) -> ImportedBody:
-        held = body.CalcSpatialInertiaInBodyFrame(self.context)
-        mass, com = held.get_mass(), held.get_com()
+        spatial = body.CalcSpatialInertiaInBodyFrame(self.context)
+        mass, com = spatial.get_mass(), spatial.get_com()
         if mass == 0.0:
             inertia = Inertia.zero()
         else:
-            central = held.Shift(com).CalcRotationalInertia().CopyToFullMatrix3()
+            central = spatial.Shift(com).CalcRotationalInertia().CopyToFullMatrix3()
             inertia = Inertia(mass, com, central)
         here = self._T_base_world @ _transform(body.EvalPoseInWorld(self.context))
         return ImportedBody(

@@ -38,7 +38,7 @@ class IDynTreeEngine:
 
     arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
 
-    Raises EngineError if iDynTree cannot take the model.
+    Raises EngineError if iDynTree refuses the model.
     """
 
     name = "iDynTree"
@@ -129,7 +129,7 @@ class IDynTreeEngine:
         return self._each(gravity, q)
 
     def imported_model(self) -> ImportedModel:
-        """What the `Model` holds: massless links at the ends have become frames."""
+        """The `Model`: massless links at the ends have become frames."""
         self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
         moving = [k for k in range(self.model.getNrOfJoints()) if k in self._ids]
         return ImportedModel(
@@ -169,12 +169,12 @@ class IDynTreeEngine:
         )
 
     def _imported_body(self, k: int) -> ImportedBody:
-        held = self.model.getLink(k).getInertia()
+        own = self.model.getLink(k).getInertia()
         name = str(self.model.getLinkName(k))
         inertia = Inertia.zero()
-        if held.getMass() != 0.0:
-            com, about_com = held.getCenterOfMass(), held.getRotationalInertiaWrtCenterOfMass()
-            inertia = Inertia(held.getMass(), _numbers(com), _numbers(about_com))
+        if own.getMass() != 0.0:
+            com, about_com = own.getCenterOfMass(), own.getRotationalInertiaWrtCenterOfMass()
+            inertia = Inertia(own.getMass(), _numbers(com), _numbers(about_com))
         here = inertia.expressed_in(self._T_base_world @ self._frame(name))
         return ImportedBody(name, self._carrier(k), here)
 
@@ -253,9 +253,9 @@ def _built(arm: SerialArm) -> Any:
     return model
 
 
-def _numbers(held: Any) -> Array:
+def _numbers(array: Any) -> Array:
     """A copy: iDynTree's arrays are views, which die with the object they look into."""
-    return np.array(held.toNumPy(), dtype=np.float64)
+    return np.array(array.toNumPy(), dtype=np.float64)
 
 
 def _link_name(i: int) -> str:
@@ -263,10 +263,10 @@ def _link_name(i: int) -> str:
 
 
 def _link(inertia: Inertia) -> Any:
-    held = idyn.SpatialInertia()
-    held.fromVector(_six(inertia.parameters()))
+    spatial = idyn.SpatialInertia()
+    spatial.fromVector(_six(inertia.parameters()))
     link = idyn.Link()
-    link.setInertia(held)
+    link.setInertia(spatial)
     return link
 
 

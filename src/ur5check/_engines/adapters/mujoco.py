@@ -43,7 +43,7 @@ class MuJoCoEngine:
 
     arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
 
-    Raises EngineError if MuJoCo cannot take the model.
+    Raises EngineError if MuJoCo refuses the model.
     """
 
     name = "MuJoCo"
@@ -139,7 +139,7 @@ class MuJoCoEngine:
         return np.array(self.data.qpos[self._q]), np.array(self.data.qvel[self._v])
 
     def imported_model(self) -> ImportedModel:
-        """What the compiled `MjModel` holds."""
+        """The compiled `MjModel`."""
         self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
         return ImportedModel(
             tuple(self._imported_joint(k) for k in range(self.model.njnt)),

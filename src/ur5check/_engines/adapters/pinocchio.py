@@ -1,9 +1,9 @@
 """Pinocchio as reference engine.
 
 An arm that came from a URDF reaches Pinocchio as that URDF's text, through Pinocchio's own parser
-(urdfdom): nothing of ours stands between the file and the reference engine, so that an error in our
-reading cannot fool both sides.  An arm that came from a `pin.Model` is refereed by that model.
-Only an arm that has neither (a DH table, a value built in Python) is handed over joint by joint.
+(urdfdom): no code of ours stands between the file and the reference engine, so that an error in our
+reading cannot affect both sides.  An arm that came from a `pin.Model` uses that model.  Only an arm
+that has neither (a DH table, a value built in Python) is passed joint by joint.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ pin = lazy_import("pinocchio")
 class PinocchioEngine:
     """Pinocchio's algorithms on one arm; satisfies `engine.ReferenceEngine`.
 
-    arm : the arm to reference engine;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
 
-    Raises EngineError if Pinocchio cannot take the model, or takes a chain with other joints.
+    Raises EngineError if Pinocchio refuses the model, or reads a chain with other joints.
     """
 
     name = "Pinocchio"
@@ -101,7 +101,7 @@ class PinocchioEngine:
     def torque_and_slope(self, q: Array, qd: Array, qdd: Array) -> tuple[Array, Array]:
         """τ of one state, shape (n,), and ∂τ/∂(q, q̇, q̈), shape (n, 3 n), in one pass.
 
-        q, qd, qdd : shape (n,).  What a climb asks thousands of times, without the loop's cost.
+        q, qd, qdd : shape (n,).  For callers with one state at a time, without the loop's cost.
         """
         rates = (self._velocity(qd), self._velocity(qdd))
         three = pin.computeRNEADerivatives(self.model, self.data, self._configuration(q), *rates)
@@ -167,7 +167,7 @@ class PinocchioEngine:
         return np.hstack(blocks).reshape(Y.shape)
 
     def imported_model(self) -> ImportedModel:
-        """What `pin.Model` has kept: one inertia a joint, links fixed to it merged into it."""
+        """The `pin.Model`: one inertia per joint, links fixed to it merged into it."""
         pin.forwardKinematics(self.model, self.data, pin.neutral(self.model))
         in_order = sorted(self._joints, key=lambda joint: joint.id)
         carried_by = {joint.id: i for i, joint in enumerate(self._joints)}
@@ -225,7 +225,7 @@ class PinocchioEngine:
         raise EngineError(f"Pinocchio's model of {self.arm.name!r} has no frame {name!r}")
 
     def _configuration(self, q: Array) -> Array:
-        """The arm's q as Pinocchio's: a continuous joint holds (cos q, sin q)."""
+        """The arm's q as Pinocchio's: a continuous joint has (cos q, sin q)."""
         if self._as_it_is:
             return q
         x: Array = pin.neutral(self.model)
@@ -314,9 +314,9 @@ def _se3(T: Transform) -> Any:
 
 
 def _parameter_maps(arm: SerialArm) -> list[Array]:
-    """From parameters held in frame i to parameters held in Pinocchio's joint frame.
+    """From parameters in frame i to parameters in Pinocchio's joint frame.
 
-    Pinocchio's joint frame stands where the joint is, ours at the tip frame of the link: P_i apart.
+    Pinocchio's joint frame is at the joint, frame i at the tip of the link: P_i apart.
     """
     return [parameter_map(link.link_tip_frame) for link in arm.links]
 

@@ -100,7 +100,7 @@ class EngineReport:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What is wrong between the file as it is and the engines, the worst first."""
+        """What is wrong between the file as it is and the engines, errors first."""
         return engine_findings(
             self.arm, (reading for reading in self.as_read.readings if reading.key != REFERENCE)
         )

@@ -102,8 +102,8 @@ def written_arm(arm: SerialArm) -> WrittenArm:
                 )
             )
     carried = {body.name for body in bodies}
-    weights = {name: robot.inertia(name) for name in nodes if name not in carried}
-    on_base = tuple(name for name, inertia in weights.items() if inertia and inertia.mass > 0.0)
+    inertias = {name: robot.inertia(name) for name in nodes if name not in carried}
+    on_base = tuple(name for name, inertia in inertias.items() if inertia and inertia.mass > 0.0)
     return WrittenArm(tuple(bodies), on_base)
 
 
@@ -122,10 +122,10 @@ def _misreadings(written: Inertia | None, node: _Element, pose: Transform) -> li
     if written is None:
         unit = UNIT_BODY.expressed_in(pose).parameters()
         found = [Misreading("default-inertia", unit, "1 kg and a unit tensor")]
-        weighed = inertia_of_shapes(node)
-        if weighed is not None:
-            parameters = weighed.expressed_in(pose).parameters()
-            imported = f"{weighed.mass:.4g} kg, its shape at the density of water"
+        solid = inertia_of_shapes(node)
+        if solid is not None:
+            parameters = solid.expressed_in(pose).parameters()
+            imported = f"{solid.mass:.4g} kg, its shape at the density of water"
             found.append(Misreading("shape-mass", parameters, imported))
         return found
     found = [Misreading("body-lost", np.zeros(10), "nothing")]
