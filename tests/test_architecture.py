@@ -180,7 +180,6 @@ def test_importing_ur5check_loads_nothing_heavy():
         "yourdfpy",
         "rich",
         "sympy",
-        "numba",
         "llvmlite",
         *ENGINES,
     }

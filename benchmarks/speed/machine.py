@@ -9,7 +9,7 @@ from pathlib import Path
 
 __all__ = ["machine", "versions"]
 
-_MEASURED = ("numpy", "llvmlite", "numba", "jax", "pin", "mujoco", "drake")
+_MEASURED = ("numpy", "llvmlite", "jax", "pin", "mujoco", "drake")
 
 
 def machine() -> dict[str, str | int]:

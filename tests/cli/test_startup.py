@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 HEAVY = (
     "numpy", "pinocchio", "mujoco", "pydrake", "dartpy", "idyntree", "rich", "lxml", "yourdfpy",
-    "xacro", "hypothesis", "numba", "llvmlite", "jax", "distributed", "pyarrow", "sympy",
+    "xacro", "hypothesis", "llvmlite", "jax", "distributed", "pyarrow", "sympy",
     "matplotlib", "scipy",
 )  # fmt: skip
 

@@ -41,7 +41,7 @@ def pids(local) -> set[int]:
 def test_a_worker_killed_in_the_middle_changes_nothing(
     workers, paper, appendix, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr(sweep_progress, "_SAY_EVERY", 0.0)
+    monkeypatch.setattr(sweep_progress, "_REPORT_EVERY", 0.0)
     before = pids(workers)
     killed: list[int] = []
 
@@ -58,7 +58,7 @@ def test_a_worker_killed_in_the_middle_changes_nothing(
         **options,
         scheduler=workers.scheduler_address,
         batch=1,
-        checkpoint=tmp_path / "kept.json",
+        checkpoint=tmp_path / "checkpoint.json",
         progress=kill_one,
     )
     assert killed
@@ -69,7 +69,7 @@ def test_a_worker_killed_in_the_middle_changes_nothing(
 
 def test_a_cluster_goes_on_from_what_threads_began(workers, paper, appendix, tmp_path):
     """A checkpoint does not care who writes it or who reads it."""
-    file = tmp_path / "kept.json"
+    file = tmp_path / "checkpoint.json"
     options = {"states": 12 * BLOCK, "checkpoint": file}
 
     class EnoughError(Exception):
@@ -79,7 +79,7 @@ def test_a_cluster_goes_on_from_what_threads_began(workers, paper, appendix, tmp
         raise EnoughError
 
     with pytest.MonkeyPatch.context() as patch, pytest.raises(EnoughError):
-        patch.setattr(sweep_progress, "_SAY_EVERY", 0.0)
+        patch.setattr(sweep_progress, "_REPORT_EVERY", 0.0)
         sweep(paper, appendix, **options, batch=5, progress=stop)
     found = sweep(paper, appendix, **options, scheduler=workers.scheduler_address, batch=2)
     alone = sweep(paper, appendix, states=12 * BLOCK)
@@ -90,7 +90,7 @@ def test_an_error_on_a_worker_is_the_error_here(workers, paper, appendix, tmp_pa
     log = tmp_path / "run.csv"
     header = ",".join(f"{part}{i}" for part in ("q", "qd", "qdd") for i in range(1, 7))
     log.write_text(f"{header}\n{','.join(['0'] * 17)},fast\n")
-    with pytest.raises(StateError, match=r"run\.csv:2: column 'qdd6' is no finite number"):
+    with pytest.raises(StateError, match=r"run\.csv:2: column 'qdd6' is not a finite number"):
         sweep(paper, appendix, sample=log, scheduler=workers.scheduler_address)
 
 

@@ -1,4 +1,4 @@
-"""The same digits: however many threads, whatever the batch, in one go or interrupted."""
+"""The digits depend on neither threads, batches nor interruptions."""
 
 from __future__ import annotations
 
@@ -66,22 +66,22 @@ def test_another_seed_gives_other_digits(paper, appendix, whole):
     assert digits(other) != digits(whole)
 
 
-class PulledPlugError(Exception):
-    """Somebody pulled the plug."""
+class InterruptionError(Exception):
+    """Raised in the middle of a sweep."""
 
 
 @pytest.mark.parametrize("how", [{}, {"threads": 2}])
 def test_an_interrupted_sweep_goes_on_to_the_same_digits(
     paper, appendix, whole, tmp_path, monkeypatch, how
 ):
-    monkeypatch.setattr(sweep_progress, "_SAY_EVERY", 0.0)
-    file = tmp_path / "kept.json"
-    said: list[str] = []
+    monkeypatch.setattr(sweep_progress, "_REPORT_EVERY", 0.0)
+    file = tmp_path / "checkpoint.json"
+    lines: list[str] = []
 
-    def pull(line: str) -> None:
-        said.append(line)
-        if len(said) == 3:
-            raise PulledPlugError
+    def interrupt(line: str) -> None:
+        lines.append(line)
+        if len(lines) == 3:
+            raise InterruptionError
 
     options = {
         "states": STATES,
@@ -91,11 +91,11 @@ def test_an_interrupted_sweep_goes_on_to_the_same_digits(
         "checkpoint": file,
         **how,
     }
-    with pytest.raises(PulledPlugError):
-        sweep(paper, appendix, **options, progress=pull)
+    with pytest.raises(InterruptionError):
+        sweep(paper, appendix, **options, progress=interrupt)
     assert json.loads(file.read_text())["blocks"] == 3
-    again = sweep(paper, appendix, **options, progress=said.append)
-    assert any("going on" in line and f"{3 * BLOCK:,}" in line for line in said)
+    again = sweep(paper, appendix, **options, progress=lines.append)
+    assert any("resuming" in line and f"{3 * BLOCK:,}" in line for line in lines)
     assert digits(again) == digits(whole)
     assert list(tmp_path.iterdir()) == [file]
     # And once more: nothing is left to do.
@@ -103,10 +103,10 @@ def test_an_interrupted_sweep_goes_on_to_the_same_digits(
 
 
 def test_a_killed_process_loses_only_what_is_not_on_disk(paper, appendix, tmp_path):
-    file = tmp_path / "kept.json"
+    file = tmp_path / "checkpoint.json"
     program = (
         "from ur5check import sweep; "
-        f"sweep('paper', 'appendix', states={15 * STATES}, seed=11, over=1.0, batch=1, "
+        f"sweep('paper', 'appendix', states={15 * STATES}, seed=11, tolerance=1.0, batch=1, "
         f"checkpoint={str(file)!r}, checkpoint_every=0.0)"
     )
     process = subprocess.Popen([sys.executable, "-c", program])
@@ -130,14 +130,14 @@ def change(file: Path, **values) -> None:
     [
         ({"seed": 12}, "sample"),
         ({"states": STATES + 1}, "states"),
-        ({"tolerance": 2.0}, "limit"),
+        ({"tolerance": 2.0}, "tolerance"),
         ({"gravity": (0, 0, -1.6)}, "model A, model B"),
         ({"sample": "sobol"}, "sample"),
         ({"within_limits": True}, "sample"),
     ],
 )
 def test_the_checkpoint_of_another_sweep_is_refused(paper, appendix, tmp_path, options, named):
-    file = tmp_path / "kept.json"
+    file = tmp_path / "checkpoint.json"
     given = {"states": STATES, "seed": 11, "tolerance": 1.0, "checkpoint": file}
     sweep(paper, appendix, **{**given, "states": BLOCK})
     before = file.read_bytes()
@@ -149,7 +149,7 @@ def test_the_checkpoint_of_another_sweep_is_refused(paper, appendix, tmp_path, o
 
 
 def test_another_model_and_another_version_are_refused(paper, appendix, tmp_path):
-    file = tmp_path / "kept.json"
+    file = tmp_path / "checkpoint.json"
     sweep(paper, appendix, states=100, checkpoint=file)
     with pytest.raises(UsageError, match=r"different: model B\)"):
         sweep(paper, paper, states=100, checkpoint=file)
@@ -162,7 +162,7 @@ def test_another_model_and_another_version_are_refused(paper, appendix, tmp_path
     "content", [b"", b"{", b"[]", b'{"format": "other"}', b"\xff\xfe", b'{"blocks": 3}']
 )
 def test_what_is_no_checkpoint_is_refused(paper, appendix, tmp_path, content):
-    file = tmp_path / "kept.json"
+    file = tmp_path / "checkpoint.json"
     file.write_bytes(content)
     with pytest.raises(UsageError, match="checkpoint"):
         sweep(paper, appendix, states=100, checkpoint=file)
@@ -170,30 +170,30 @@ def test_what_is_no_checkpoint_is_refused(paper, appendix, tmp_path, content):
 
 
 def test_a_truncated_checkpoint_is_refused(paper, appendix, tmp_path):
-    file = tmp_path / "kept.json"
+    file = tmp_path / "checkpoint.json"
     sweep(paper, appendix, states=100, checkpoint=file)
     value = json.loads(file.read_text())
     del value["statistics"]["worst"]
     file.write_text(json.dumps(value))
-    with pytest.raises(UsageError, match="is no checkpoint"):
+    with pytest.raises(UsageError, match="is not a checkpoint"):
         sweep(paper, appendix, states=100, checkpoint=file)
 
 
 def test_a_checkpoint_without_a_folder_is_refused_before_any_work(paper, appendix, tmp_path):
     with pytest.raises(UsageError, match="there is no such folder"):
-        sweep(paper, appendix, states=10**12, checkpoint=tmp_path / "no" / "kept.json")
+        sweep(paper, appendix, states=10**12, checkpoint=tmp_path / "no" / "checkpoint.json")
 
 
 @pytest.mark.parametrize("count", [1, 2])
 def test_an_error_in_a_block_ends_the_sweep(whole, count):
     def broken(start: int, stop: int):
-        raise PulledPlugError
+        raise InterruptionError
 
     class Broken:
         statistics = staticmethod(broken)
         blocks = 2
 
-    with pytest.raises(PulledPlugError):
+    with pytest.raises(InterruptionError):
         list(threads(count)(Broken, 0))
 
 

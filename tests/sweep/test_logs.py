@@ -112,7 +112,7 @@ GOOD = ",".join(["0.5"] * 18)
         ((GOOD[:-3],), r"run\.csv:2: column 'qdd6' .*got ''"),
         ((GOOD[:-3] + "1_0",), r"run\.csv:2: column 'qdd6' .*got '1_0'"),
         ((GOOD[:-3] + '"1"',), r"run\.csv:2: column 'qdd6'"),
-        ((), r"run\.csv: holds no state"),
+        ((), r"run\.csv: contains no state"),
     ],
 )
 def test_a_bad_line_is_named(tmp_path, paper, appendix, lines, said):
@@ -131,7 +131,7 @@ def test_the_line_is_counted_from_the_top_of_the_file(tmp_path, paper, appendix)
     ("header", "said"),
     [
         (",".join(NUMBERED).replace("qd3", "dq3"), "no column 'qd3'.*did you mean"),
-        (",".join(NUMBERED).replace("q2,", "q1,", 1), "columns 'q1', 'q1' are the same number"),
+        (",".join(NUMBERED).replace("q2,", "q1,", 1), "columns 'q1', 'q1' hold the same quantity"),
         ("", "no column 'q1'"),
         (GOOD, "no column 'q1'"),
     ],
@@ -146,7 +146,7 @@ def test_a_log_that_changes_meanwhile_is_refused(tmp_path, paper):
     log = log_sample(file, paper)
     with file.open("a") as more:
         more.write(GOOD + "\n")
-    with pytest.raises(StateError, match="is not the file that the sweep began with"):
+    with pytest.raises(StateError, match="changed during the sweep"):
         log.block(0)
 
 
@@ -180,25 +180,25 @@ def test_what_is_no_log_is_refused(tmp_path, paper, appendix):
         with pytest.raises(StateError, match=said):
             sweep(paper, appendix, sample=tmp_path / name)
     (tmp_path / "text.parquet").write_text("q1,q2")
-    with pytest.raises(StateError, match="is no Parquet file"):
+    with pytest.raises(StateError, match="is not a Parquet file"):
         sweep(paper, appendix, sample=tmp_path / "text.parquet")
     (tmp_path / "bytes.csv").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(StateError, match="is no text"):
+    with pytest.raises(StateError, match="is not text"):
         sweep(paper, appendix, sample=tmp_path / "bytes.csv")
     empty = written(tmp_path)
     parquet.write_table(parquet.read_table(empty).slice(0, 0), empty)
-    with pytest.raises(StateError, match="holds no state"):
+    with pytest.raises(StateError, match="contains no state"):
         sweep(paper, appendix, sample=empty)
 
 
 def test_a_log_is_taken_as_it_is(tmp_path, paper, appendix):
     for option in ({"states": 10}, {"within_limits": True}):
-        with pytest.raises(UsageError, match="have no meaning for a log"):
+        with pytest.raises(UsageError, match="do not apply to a log"):
             sweep(paper, appendix, sample=csv(tmp_path, GOOD), **option)
 
 
 def test_the_checkpoint_of_another_log_is_refused(tmp_path, paper, appendix):
-    kept = tmp_path / "kept.json"
+    kept = tmp_path / "checkpoint.json"
     sweep(paper, appendix, sample=csv(tmp_path, GOOD), checkpoint=kept)
     with pytest.raises(UsageError, match=r"different: sample\)"):
         sweep(paper, appendix, sample=csv(tmp_path, GOOD.replace("5", "6", 1)), checkpoint=kept)

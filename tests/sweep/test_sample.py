@@ -1,4 +1,4 @@
-"""States of a block: in their box, the same whoever asks, and spread as they should be."""
+"""The states of a block: inside their box, reproducible, with the right distribution."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from scipy import stats
 from scipy.stats import qmc
 
 from ur5check._comparison.worst_case.state_box import StateBox
-from ur5check._sweep import compiled_loops as fused
-from ur5check._sweep import numpy_loops as rows
-from ur5check._sweep import philox
+from ur5check._sweep import philox, philox_llvm
+from ur5check._sweep.random_states import placed
 from ur5check._sweep.sobol_sample import SobolSample
 from ur5check._sweep.state_sample import BLOCK, GridSample, RandomSample, blocks_of
 
@@ -70,8 +69,8 @@ def test_philox_is_the_published_one():
         assert " ".join(f"{int(word[0]):08x}" for word in words) == answer
 
 
-def test_philox_is_asked_with_seed_block_state_and_row():
-    """The states are those of the documented generator, so that anyone can make them again."""
+def test_philox_counts_seed_block_state_and_row():
+    """The states are those of the documented generator."""
     found = numbers(RandomSample(BOX, 4 * BLOCK, 7).block(3))
     counter = [np.array([c], np.uint64) for c in (11, 1, 3, 0)]  # state 11, rows 4 to 7, block 3
     words = philox._ten_rounds(counter, [7, 0])
@@ -82,19 +81,16 @@ def test_philox_is_asked_with_seed_block_state_and_row():
 @pytest.mark.parametrize(("seed", "block"), [(0, 0), (7, 3), (2**40 + 5, 2**33 + 1)])
 def test_compiled_numbers_are_the_same_to_the_bit(seed, block):
     width, lower = np.linspace(1e-10, 3e-9, 6), np.linspace(-3.0, 7.0, 6)
-    ours = rows.drawn(seed, block, width, lower, 1000)
-    assert np.array_equal(fused.drawn(seed, block, width, lower, 1000), ours)
-    assert not np.array_equal(rows.drawn(seed + 1, block, width, lower, 1000), ours)
-    assert not np.array_equal(rows.drawn(seed, block + 1, width, lower, 1000), ours)
-
-
-def test_compiled_counts_are_the_same():
-    row = np.random.default_rng(3).normal(size=5000) * np.logspace(-14, 7, 5000)
-    ours, theirs = fused.row_statistics(row, 1.0), rows.row_statistics(row, 1.0)
-    assert (ours.where, ours.passed) == (theirs.where, theirs.passed)
-    assert np.array_equal(ours.bins, theirs.bins)
-    assert np.array_equal(ours.sizes, theirs.sizes)
-    assert abs(ours.square - theirs.square) <= 1e-13 * theirs.square
+    for length in (1000, 1001, 7):  # whole and broken groups of eight
+        words = philox.random_words(seed, block, 6, length)
+        compiled = philox_llvm.drawn(seed, block, width, lower, length)
+        assert np.array_equal(compiled, placed(words, width, lower))
+        assert not np.array_equal(
+            philox_llvm.drawn(seed + 1, block, width, lower, length), compiled
+        )
+        assert not np.array_equal(
+            philox_llvm.drawn(seed, block + 1, width, lower, length), compiled
+        )
 
 
 @pytest.mark.parametrize("k", [0, 1, 2, 3, 6, 37])

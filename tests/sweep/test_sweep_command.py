@@ -41,7 +41,7 @@ def test_the_verdict_comes_first_and_progress_on_stderr(say):
     assert out.splitlines()[2].startswith("DIFFER: paper and appendix ask for different torques")
     assert "2,000 random states" in out
     assert "Over the limit" in out
-    assert re.search(r"2,000 states in .* s, [\d,]+ a second", err)
+    assert re.search(r"2,000 states in .* s, [\d,]+ per second", err)
     assert say(*BASE, "--quiet")[2] == ""
 
 
@@ -128,7 +128,7 @@ def test_parquet_holds_histograms_and_map(say, tmp_path, paper, appendix):
 
 
 def test_a_checkpoint_goes_on(say, tmp_path):
-    kept = tmp_path / "kept.json"
+    kept = tmp_path / "checkpoint.json"
     first = say(*BASE, "--checkpoint", kept, "--quiet")
     code, out, err = say(*BASE, "--checkpoint", kept)
     assert (code, out) == first[:2]
@@ -140,7 +140,7 @@ def test_a_checkpoint_goes_on(say, tmp_path):
 
 @pytest.mark.parametrize("threads", ["1", "2"])
 def test_ctrl_c_keeps_what_is_done(tmp_path, threads):
-    kept = tmp_path / "kept.json"
+    kept = tmp_path / "checkpoint.json"
     words = ["sweep", "paper", "paper", "--states", "1e9", "--threads", threads, "--batch", "1"]
     words += ["--checkpoint", str(kept), "--checkpoint-every", "0"]
     running = subprocess.Popen(
@@ -154,7 +154,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path, threads):
     running.send_signal(signal.SIGINT)
     out, err = running.communicate(timeout=20)
     assert (running.returncode, out) == (130, "")
-    assert re.search(r"kept\.json keeps [\d,]+ states; the same command goes on", err)
+    assert re.search(r"checkpoint\.json holds [\d,]+ states; repeat the command to resume", err)
     assert err.endswith("ur5check: error: interrupted\n")
     assert json.loads(kept.read_text())["blocks"] >= 1
     assert list(tmp_path.iterdir()) == [kept]

@@ -100,7 +100,7 @@ def limit_table(s: Sweep) -> Table:
                 (
                     joint.name,
                     figures(limits[j]),
-                    f"{int(s.statistics.tolerance[j]):,}",
+                    f"{int(s.statistics.above_tolerance[j]):,}",
                     percent(share[j]),
                 )
             )

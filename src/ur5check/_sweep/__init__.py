@@ -1,1 +1,1 @@
-"""Two arms at millions of states: what is kept of them, and how it is kept exact."""
+"""The torque difference of two arms at any number of states, with exact statistics."""

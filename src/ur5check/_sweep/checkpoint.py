@@ -1,8 +1,8 @@
-"""What is done so far, on disk: whole or not there, and only for the sweep that it was written for.
+"""The checkpoint of a sweep: a file with the statistics of the blocks that are done.
 
-The file is JSON: what the sweep depends on, how many blocks from the first are done, their
-statistics. JSON keeps a float64 to its last bit, so a sweep that goes on ends at the digits it
-would have had.
+The file is JSON: what the sweep depends on, the number of blocks done (from the first on), and
+their statistics.  JSON keeps every bit of a float64, so that a resumed sweep ends with the same
+digits. It is written atomically, and accepted only by the sweep it was written for.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from .sweep_plan import Plan
 
 __all__ = ["Checkpoint", "load", "save", "statistics_value"]
 
-_FORMAT = "ur5check.sweep-checkpoint/1"
+_FORMAT = "ur5check.sweep-checkpoint/2"
 
 
 @dataclass(frozen=True, eq=False)
 class Checkpoint:
-    """Blocks 0 … blocks − 1, and what was kept of them."""
+    """The statistics of blocks 0 … blocks − 1."""
 
     blocks: int
     statistics: Statistics
 
 
 def save(path: Path, plan: Plan, done: Checkpoint) -> None:
-    """Write beside the old file, then put it in its place in one step.
+    """Replace the file in one step.
 
     Raises UsageError if it cannot be written.
     """
@@ -50,10 +50,10 @@ def save(path: Path, plan: Plan, done: Checkpoint) -> None:
 
 
 def load(path: Path, plan: Plan) -> Checkpoint | None:
-    """What is done of this plan; None if there is no such file yet.
+    """The checkpoint of this plan; None if there is no such file yet.
 
-    Raises UsageError for a file that is no checkpoint, or one of another sweep, and where none
-    could be written.
+    Raises UsageError for a file that is not a checkpoint of this sweep, or a folder that does not
+    exist.
     """
     if not path.resolve().parent.is_dir():
         raise UsageError(f"checkpoint {path}: there is no such folder; make it first")
@@ -62,7 +62,7 @@ def load(path: Path, plan: Plan) -> Checkpoint | None:
     except FileNotFoundError:
         return None
     except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "it is no text"
+        reason = getattr(error, "strerror", None) or "it is not a text file"
         raise UsageError(f"checkpoint {path}: cannot be read: {reason}") from None
     try:
         value = json.loads(text)
@@ -72,7 +72,7 @@ def load(path: Path, plan: Plan) -> Checkpoint | None:
         done = Checkpoint(int(value["blocks"]), _statistics(value["statistics"]))
     except (ValueError, KeyError, TypeError, IndexError):
         raise UsageError(
-            f"checkpoint {path}: is no checkpoint of a sweep; name another file, or delete it"
+            f"checkpoint {path}: is not a checkpoint of a sweep; name another file, or delete it"
         ) from None
     return done
 
@@ -88,8 +88,7 @@ def _check_same(path: Path, theirs: dict[str, Any], ours: dict[str, Any]) -> Non
 
 
 def statistics_value(statistics: Statistics) -> dict[str, Any]:
-    """A statistics as plain values, every digit kept.  Histograms are mostly empty: only what is
-    not."""
+    """Statistics as plain values, every digit kept; of the histograms only the bins not empty."""
     joint, bin_ = np.nonzero(statistics.bins)
     return {
         "count": statistics.count,
@@ -103,7 +102,7 @@ def statistics_value(statistics: Statistics) -> dict[str, Any]:
             "bin": bin_.tolist(),
             "count": statistics.bins[joint, bin_].tolist(),
         },
-        "tolerance": statistics.tolerance.tolist(),
+        "above_tolerance": statistics.above_tolerance.tolist(),
         "visits": statistics.visits.tolist(),
         "reach": statistics.reach.tolist(),
     }
@@ -119,7 +118,7 @@ def _statistics(value: dict[str, Any]) -> Statistics:
         worst=np.array(value["worst"], np.int64),
         worst_states=np.array(value["worst_states"]),
         bins=bins,
-        tolerance=np.array(value["tolerance"], np.int64),
+        above_tolerance=np.array(value["above_tolerance"], np.int64),
         visits=np.array(value["visits"], np.int64),
         reach=np.array(value["reach"]),
     )

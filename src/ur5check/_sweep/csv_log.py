@@ -1,7 +1,7 @@
-"""A log as CSV: one header line, one state a line, commas between plain numbers.
+"""A log as CSV: a header line, then one state per line, numbers separated by commas.
 
-The file is run through once, to know its SHA-256 and where each block of lines begins.  Any block
-is then read by itself, so that threads, checkpoints and machines need not read what comes before.
+The file is read once for its SHA-256 and the byte at which each block of lines begins.  Any block
+is then read on its own.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class CsvLog:
     """`count` states in a file.
 
     header : names of all columns;  columns : indices of the 3 n that are read
-    starts : byte at which each block begins, and the file's end
+    starts : byte at which each block begins, and the end of the file
     """
 
     file: Path
@@ -43,7 +43,7 @@ class CsvLog:
     sha256: str
 
     def block(self, k: int) -> States:
-        """Raises StateError with file, line, column and value for what is no finite number."""
+        """Raises StateError with file, line and column of an entry that is not a finite number."""
         with self.file.open("rb") as file:
             if file.seek(0, os.SEEK_END) != self.starts[-1]:
                 raise self._changed()
@@ -52,12 +52,14 @@ class CsvLog:
         lines = min(BLOCK, self.count - BLOCK * k)
         rows = self._parsed(text, lines)
         if rows is None:
-            self._blame(text.decode("utf-8", "replace").split("\n")[:lines], 2 + BLOCK * k)
+            self._raise_first_error(
+                text.decode("utf-8", "replace").split("\n")[:lines], 2 + BLOCK * k
+            )
             raise self._changed()
         return states_of(rows)
 
     def _parsed(self, text: bytes, lines: int) -> Array | None:
-        """3 n rows; None if anything is not as it should be."""
+        """3 n rows; None if the text is malformed."""
         if text.count(b",") != (len(self.header) - 1) * lines:
             return None
         try:
@@ -74,8 +76,8 @@ class CsvLog:
         good = len(table) == lines and np.isfinite(table).all()
         return np.ascontiguousarray(table.T) if good else None
 
-    def _blame(self, lines: list[str], first: int) -> None:
-        """Raises StateError for the first thing wrong; `first` is the number of the first line."""
+    def _raise_first_error(self, lines: list[str], first: int) -> None:
+        """Raises StateError for the first error; `first` is the number of the first line."""
         for number, line in enumerate(lines, start=first):
             cells = line.rstrip("\r").split(",")
             if len(cells) != len(self.header):
@@ -86,39 +88,39 @@ class CsvLog:
             for column in self.columns:
                 if not _is_number(cells[column]):
                     raise StateError(
-                        f"{self.file}:{number}: column {self.header[column]!r} is no finite number "
-                        f"(got {cells[column]!r}); repair or leave out this line"
+                        f"{self.file}:{number}: column {self.header[column]!r} is not a finite "
+                        f"number (got {cells[column]!r}); correct or delete this line"
                     )
 
     def _changed(self) -> StateError:
-        return StateError(f"{self.file}: is not the file that the sweep began with; start again")
+        return StateError(f"{self.file}: changed during the sweep; start again")
 
     def description(self) -> dict[str, Any]:
-        """What the states depend on: the file's content, not its name."""
+        """The states depend on the content of the file, not on its name."""
         return {"kind": "csv", "file": self.file.name, "sha256": self.sha256}
 
 
 def open_csv(file: Path, arm: SerialArm) -> CsvLog:
-    """Find the columns of `arm`'s joints, and where the blocks begin.
+    """Find the columns of `arm`'s joints, and the byte at which each block begins.
 
-    Raises StateError for a file without states, or without the columns that they need.
+    Raises StateError for a file without states or without a needed column.
     """
     with file.open("rb") as stream:
         first = stream.readline()
     try:
         header = first.decode("utf-8-sig").rstrip("\r\n").split(",")
     except UnicodeDecodeError:
-        raise StateError(f"{file}:1: is no text; a CSV log is UTF-8") from None
+        raise StateError(f"{file}:1: is not text; a CSV log is UTF-8") from None
     names = tuple(name.strip().strip('"') for name in header)
     columns = state_columns(names, arm, file)
     count, starts, digest = _index(file)
     if count == 0:
-        raise StateError(f"{file}: holds no state, only a header; log some first")
+        raise StateError(f"{file}: contains no state")
     return CsvLog(file.resolve(), names, columns, count, starts, digest)
 
 
 def _index(file: Path) -> tuple[int, tuple[int, ...], str]:
-    """Lines after the header, bytes at which blocks of them begin (and the end), SHA-256."""
+    """Number of lines after the header, byte at which each block begins (and the end), SHA-256."""
     digest = hashlib.sha256()
     starts: list[int] = []
     lines = size = 0

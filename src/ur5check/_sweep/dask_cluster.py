@@ -1,12 +1,11 @@
-r"""The same work on many machines: spans of blocks as tasks of a Dask cluster, statistics as a
-tree.
+r"""The executor for many machines: spans of blocks as tasks of a Dask cluster.
 
-    span  span  span  span   …   a task each, on whichever worker is free
+    span  span  span  span   …   one task each, on any free worker
        \   |     |   /
-        bough of spans       …   merged on a worker; only this comes back
+          batch              …   merged on a worker; only this is sent back
 
-A task is a pure function of the plan and its span.  When a worker dies, Dask runs its tasks again
-elsewhere, and the digits are those that they would have been.
+A task is a pure function of the plan and its span.  When a worker dies, Dask runs its tasks on
+another, with the same digits.
 """
 
 from __future__ import annotations
@@ -22,36 +21,38 @@ import numpy as np
 
 from .._errors import UsageError
 from .._version import __version__
-from .executor import Executor, Span, fair, in_order, spans
+from .executor import Executor, Span, batch_size, in_order, spans
 from .statistics import Statistics, merged
 from .sweep_plan import Plan
 
 __all__ = ["cluster"]
 
-_MOST = 1024  # blocks a task: seconds, which outlast a task's scheduling (milliseconds) by far
-_BATCH_NODE = 8  # spans that are merged before they travel
-_AHEAD = 2  # tasks under way for each thread of the workers
+_MOST = 1024  # blocks per task: seconds, against milliseconds for its scheduling
+_BATCH_NODE = 8  # spans that are merged before they are sent
+_AHEAD = 2  # unfinished tasks per thread of the workers
 _PATIENCE = 10.0  # [s] for the scheduler to answer
 
 
 def cluster(address: str, batch: int | None = None) -> Executor:
-    """The workers of the scheduler at `address` ("tcp://192.0.2.7:8786"), `batch` blocks a task.
+    """The workers of the scheduler at `address` ("tcp://192.0.2.7:8786"), `batch` blocks per task.
 
-    Raises UsageError, once at work, where no scheduler answers, or its workers are others than this
-    process: not the same versions, or not the same engine.
+    The executor raises UsageError if no scheduler answers, or if its workers have other versions or
+    another engine than this process.
     """
 
     def work(plan: Plan, start: int) -> Generator[Statistics]:
-        payload, made_by = pickle.dumps(plan), _versions(plan)
+        payload, expected = pickle.dumps(plan), _versions(plan)
         with _client(address) as client:
 
             def batch_node(group: tuple[Span, ...]) -> Any:
-                tasks = [client.submit(_task, payload, made_by, span, pure=False) for span in group]
+                tasks = [
+                    client.submit(_task, payload, expected, span, pure=False) for span in group
+                ]
                 return client.submit(merged, tasks, pure=False)
 
             workers = sum(client.nthreads().values())
             blocks = plan.blocks - start
-            todo = spans(start, plan.blocks, batch or fair(blocks, workers, _MOST))
+            todo = spans(start, plan.blocks, batch or batch_size(blocks, workers, _MOST))
             ahead = 2 + _AHEAD * workers // _BATCH_NODE
             yield from in_order(_batch_nodes(todo), batch_node, _got, ahead)
 
@@ -93,33 +94,33 @@ def _got(future: Any) -> Statistics:
     try:
         statistics: Statistics = future.result()
     except KilledWorker as error:
-        raise UsageError(f"workers die at their work; look into their logs ({error})") from None
+        raise UsageError(f"workers died while computing; see their logs ({error})") from None
     except CancelledError:
         raise UsageError(
-            "the scheduler went away; start it again, and with --checkpoint go on from there"
+            "the connection to the scheduler was lost; restart it, and resume with --checkpoint"
         ) from None
     return statistics
 
 
-def _task(payload: bytes, made_by: dict[str, str], span: Span) -> Statistics:
-    """One task, on a worker."""
+def _task(payload: bytes, expected: dict[str, str], span: Span) -> Statistics:
+    """One task, run on a worker."""
     plan = _plan(payload)
-    if (ours := _versions(plan)) != made_by:
+    if (ours := _versions(plan)) != expected:
         raise UsageError(
-            f"a worker has {_listed(ours)}, the sweep {_listed(made_by)}; install the same on both"
+            f"a worker has {_listed(ours)}, the sweep {_listed(expected)}; install the same on both"
         )
     return plan.statistics(*span)
 
 
 @lru_cache(maxsize=4)
 def _plan(payload: bytes) -> Plan:
-    """Unpacked once in each process, so that a kernel is compiled once."""
-    plan: Plan = pickle.loads(payload)  # noqa: S301 - a cluster runs what its client sends anyway
+    """Unpacked once per process, so that a kernel is compiled once."""
+    plan: Plan = pickle.loads(payload)  # noqa: S301 - a cluster executes what its client sends
     return plan
 
 
 def _versions(plan: Plan) -> dict[str, str]:
-    """What two processes must have in common to compute the same digits."""
+    """What two processes must have in common to give the same digits."""
     return {"ur5check": __version__, "numpy": np.__version__, "engine": plan.engine}
 
 

@@ -1,8 +1,8 @@
-"""Sums that no order of adding can change: a float64 as a whole number.
+"""Sums that do not depend on the order of addition: a float64 as a whole number.
 
-Adding floats rounds, so that (a + b) + c is not a + (b + c), and a sum would depend on how many
-threads or machines shared the work.  Every float64 is a whole number of 2⁻¹⁰⁷⁴.  Python's integers
-add those without rounding, in any order, to the same digits.
+Adding floats rounds, so that (a + b) + c differs from a + (b + c), and a sum would depend on the
+number of threads or machines.  Every float64 is an integer multiple of 2⁻¹⁰⁷⁴; Python's integers
+add those exactly.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ _SMALLEST = 1074  # 2⁻¹⁰⁷⁴ is the smallest positive float64 [IEEE 754]
 
 
 def exact(x: float) -> int:
-    """x as a number of 2⁻¹⁰⁷⁴, nothing rounded."""
+    """x as a multiple of 2⁻¹⁰⁷⁴, exactly."""
     numerator, denominator = x.as_integer_ratio()
     return numerator << (_SMALLEST - (denominator.bit_length() - 1))
 

@@ -1,8 +1,7 @@
-"""Who does the work: threads of this process.  (`cluster` has another executor, with the same
-face.)
+"""Executors of a sweep: threads of this process (`dask_cluster` has another, for many machines).
 
-A executor takes the blocks from a given one on, a span of them at a time, and hands back the spans'
-statistics in order, so that whoever listens can say at any moment: all blocks before this one are
+An executor computes the blocks from a given one on, a span of blocks per task, and yields the
+statistics of the spans in order, so that at any moment all blocks before the last one yielded are
 done.
 """
 
@@ -16,14 +15,14 @@ from typing import TypeVar
 from .statistics import Statistics
 from .sweep_plan import Plan
 
-__all__ = ["Executor", "Span", "fair", "in_order", "spans", "threads"]
+__all__ = ["Executor", "Span", "batch_size", "in_order", "spans", "threads"]
 
 Span = tuple[int, int]  # blocks start … stop − 1
-Executor = Callable[[Plan, int], Generator[Statistics]]  # of a plan, from this block on
+Executor = Callable[[Plan, int], Generator[Statistics]]  # of a plan, from a block on
 
-#: A quarter of a million states, a fraction of a second: Ctrl-C and progress need no more patience.
+#: Blocks per task: a fraction of a second, for progress and Ctrl-C.
 _MOST = 16
-_SHARES = 8  # spans for each thread, so that none waits long for the last
+_SHARES = 8  # tasks per worker, so that none waits long for the last
 
 J = TypeVar("J")
 T = TypeVar("T")
@@ -36,17 +35,17 @@ def spans(start: int, stop: int, batch: int) -> Iterator[Span]:
         yield first, min(first + batch, stop)
 
 
-def fair(blocks: int, workers: int, most: int) -> int:
-    """A batch that gives every worker several, and is no larger than `most`."""
+def batch_size(blocks: int, workers: int, most: int) -> int:
+    """A batch of at most `most` blocks that gives every worker several tasks."""
     return min(max(blocks // (_SHARES * workers), 1), most)
 
 
 def threads(count: int, batch: int | None = None) -> Executor:
-    """`count` threads of this process, which take `batch` blocks at a time."""
+    """`count` threads of this process, with `batch` blocks per task."""
 
     def work(plan: Plan, start: int) -> Generator[Statistics]:
         blocks = plan.blocks - start
-        todo = spans(start, plan.blocks, batch or fair(blocks, count, _MOST))
+        todo = spans(start, plan.blocks, batch or batch_size(blocks, count, _MOST))
         if count == 1:
             yield from (plan.statistics(*span) for span in todo)
             return
@@ -64,7 +63,7 @@ def threads(count: int, batch: int | None = None) -> Executor:
 def in_order(
     todo: Iterable[J], submit: Callable[[J], F], result: Callable[[F], T], ahead: int
 ) -> Iterator[T]:
-    """Results in order, with at most `ahead` jobs under way: memory does not grow with the work."""
+    """Results in order, with at most `ahead` unfinished jobs, so that memory is bounded."""
     waiting: deque[F] = deque()
     for job in todo:
         waiting.append(submit(job))

@@ -1,4 +1,4 @@
-"""Which columns of a log hold the states: by number (`q1`, `qd1`, `qdd1`) or by joint name."""
+"""The columns of a log that hold the states: by number (`q1`, `qd1`, `qdd1`) or joint name."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ PARTS = ("q", "qd", "qdd")  # [rad], [rad/s], [rad/s²]; [m] … for a sliding j
 
 
 def state_columns(header: Sequence[str], arm: SerialArm, file: Path) -> tuple[int, ...]:
-    """Indices of q of all joints, then q̇, then q̈, in the arm's order.  Other columns are let be.
+    """Indices of q of all joints, then q̇, then q̈, in the arm's order.  Other columns are ignored.
 
-    Joint i's columns are `q1`, `qd1`, `qdd1` for i = 1, or `q_NAME`, `qd_NAME`, `qdd_NAME`.
+    The columns of joint 1 are `q1`, `qd1`, `qdd1`, or `q_NAME`, `qd_NAME`, `qdd_NAME`.
 
-    Raises StateError for a column that is not there, or there twice.
+    Raises StateError for a column that is missing or ambiguous.
     """
     return tuple(
         _one(header, (f"{part}{i}", f"{part}_{name}"), file)
@@ -38,7 +38,7 @@ def _one(header: Sequence[str], names: tuple[str, str], file: Path) -> int:
         return found[0]
     if found:
         both = ", ".join(repr(header[k]) for k in found)
-        raise StateError(f"{file}: columns {both} are the same number; leave one of them")
+        raise StateError(f"{file}: columns {both} hold the same quantity; keep one of them")
     near = get_close_matches(names[0], header, 1) or get_close_matches(names[1], header, 1)
     hint = f"; did you mean {near[0]!r}?" if near else ""
     raise StateError(

@@ -1,14 +1,14 @@
-"""A fine logarithmic histogram of sizes, which two places can add and quantiles can be read from.
+"""A fine logarithmic histogram of |Δτ|, from which quantiles are computed.
 
-A float64 is sign, exponent, mantissa.  Its exponent and the first bits of its mantissa, read as one
-integer, number the bins of a histogram with 128 bins an octave: no logarithm is taken, and no bin
-edge is rounded.  Two histograms merge by adding integers, which no order can change.
+The exponent of a float64 and the first bits of its mantissa, read as one integer, number the bins
+of a histogram with 128 bins per octave: no logarithm is computed, and no bin edge is rounded.  Two
+histograms are merged by adding integers.
 
     bin 0         below 2⁻⁴⁰ = 9.1e-13 (and zero itself)
-    bins 1 …      128 to each octave up to 2²⁰ = 1.0e6
+    bins 1 …      128 per octave up to 2²⁰ = 1.0e6
     the last bin  2²⁰ and beyond
 
-A quantile is the middle of the bin in which its state lies: at most RELATIVE_ERROR away from it.
+A quantile is the middle of its bin, with a relative error of at most RELATIVE_ERROR.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ __all__ = [
 
 Counts = NDArray[np.int64]
 
-_MANTISSA = 7  # bits of it that number a bin
+_MANTISSA = 7  # bits of it in the number of a bin
 SHIFT = 52 - _MANTISSA
 LOWEST, HIGHEST = 2.0**-40, 2.0**20  # [N m]
 _BELOW = float(np.nextafter(LOWEST, 0.0))  # its bits are one bin below the first
@@ -44,12 +44,12 @@ FIRST = int(np.float64(_BELOW).view(np.int64)) >> SHIFT
 
 BINS = (int(np.float64(HIGHEST).view(np.int64)) >> SHIFT) - FIRST + 1
 
-#: Half a bin, by the smallest value in it.
+#: Half the width of a bin, relative to its lower edge.
 RELATIVE_ERROR = 2.0 ** -(_MANTISSA + 1)
 
 
 def count_sizes(sizes: Array) -> Counts:
-    """The histogram of sizes, shape (N,), none negative: counts of shape (BINS,)."""
+    """The histogram of sizes, shape (N,), not negative: counts of shape (BINS,)."""
     bins = np.clip(sizes, _BELOW, HIGHEST).view(np.int64)
     bins >>= SHIFT
     bins -= FIRST
@@ -66,7 +66,7 @@ def bin_edges() -> Array:
 def quantile(counts: Counts, share: float) -> float:
     """The size that `share` of the states do not exceed, from one histogram of shape (BINS,).
 
-    The middle of a bin; of the last, which has none, the lower edge.
+    The middle of a bin; of the last, the lower edge.
     """
     below = np.cumsum(counts)
     rank = math.ceil(Fraction(str(share)) * int(below[-1]))  # 0.07 means seven hundredths

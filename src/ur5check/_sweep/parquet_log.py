@@ -1,4 +1,4 @@
-"""A log as Parquet: numeric columns, read a row group at a time."""
+"""A log as Parquet: numeric columns, read by row groups."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .state_sample import BLOCK
 
 __all__ = ["ParquetLog", "import_parquet", "open_parquet"]
 
-_GROUPS_HELD = 4
+_CACHED_GROUPS = 4
 _reading = threading.Lock()
 
 
@@ -31,7 +31,7 @@ class ParquetLog:
     """`count` states in a file.
 
     columns : names of the 3 n columns that are read
-    groups : rows before each row group, and of the whole file
+    groups : number of rows before each row group, and of the whole file
     """
 
     file: Path
@@ -41,7 +41,7 @@ class ParquetLog:
     sha256: str
 
     def block(self, k: int) -> States:
-        """Raises StateError with file, row, column and value for what is no finite number."""
+        """Raises StateError with file, row and column of an entry that is not a finite number."""
         start, stop = BLOCK * k, min(BLOCK * (k + 1), self.count)
         parts = list(self._parts(start, stop))
         return states_of(parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1))
@@ -51,22 +51,22 @@ class ParquetLog:
         group = bisect_right(self.groups, start) - 1
         while start < stop:
             base, end = self.groups[group], self.groups[group + 1]
-            with _reading:  # one thread reads, the others find it in the cache
+            with _reading:  # one thread reads, the others use the cache
                 rows = _row_group(self, group)
             yield rows[:, start - base : min(stop, end) - base]
             start, group = end, group + 1
 
     def description(self) -> dict[str, Any]:
-        """What the states depend on: the file's content, not its name."""
+        """The states depend on the content of the file, not on its name."""
         return {"kind": "parquet", "file": self.file.name, "sha256": self.sha256}
 
 
-@lru_cache(maxsize=_GROUPS_HELD)
+@lru_cache(maxsize=_CACHED_GROUPS)
 def _row_group(log: ParquetLog, group: int) -> Array:
-    """One row group, shape (3 n, rows).  Raises StateError for what is no finite number."""
+    """One row group, shape (3 n, rows).  Raises StateError for a number that is not finite."""
     with import_parquet().ParquetFile(log.file) as file:
         if file.metadata.num_rows != log.count:
-            raise StateError(f"{log.file}: is not the file that the sweep began with; start again")
+            raise StateError(f"{log.file}: changed during the sweep; start again")
         table = file.read_row_group(group, columns=list(log.columns), use_threads=False)
     rows = np.empty((len(log.columns), table.num_rows))
     for row, name in zip(rows, log.columns, strict=True):
@@ -75,8 +75,8 @@ def _row_group(log: ParquetLog, group: int) -> Array:
         if not np.isfinite(row).all():
             at = int(np.flatnonzero(~np.isfinite(row))[0])
             raise StateError(
-                f"{log.file}: row {log.groups[group] + at + 1}: column {name!r} is no finite "
-                f"number (got {column[at].as_py()}); repair or leave out this row"
+                f"{log.file}: row {log.groups[group] + at + 1}: column {name!r} is not a finite "
+                f"number (got {column[at].as_py()}); correct or delete this row"
             )
     return rows
 
@@ -84,7 +84,7 @@ def _row_group(log: ParquetLog, group: int) -> Array:
 def open_parquet(file: Path, arm: SerialArm) -> ParquetLog:
     """Find the columns of `arm`'s joints.
 
-    Raises StateError for a file that is no Parquet, has no rows or lacks columns, UsageError
+    Raises StateError for a file that is not Parquet, has no rows or lacks columns, UsageError
     without pyarrow.
     """
     parquet = import_parquet()
@@ -94,14 +94,14 @@ def open_parquet(file: Path, arm: SerialArm) -> ParquetLog:
         with parquet.ParquetFile(file) as opened:
             metadata, schema = opened.metadata, opened.schema_arrow
     except pyarrow.ArrowException as error:
-        raise StateError(f"{file}: is no Parquet file: {error}") from None
+        raise StateError(f"{file}: is not a Parquet file: {error}") from None
     names = tuple(schema.names[k] for k in state_columns(schema.names, arm, file))
     for name in names:
         kind = schema.field(name).type
         if not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind)):
             raise StateError(f"{file}: column {name!r} holds {kind}; it must hold numbers")
     if metadata.num_rows == 0:
-        raise StateError(f"{file}: holds no state; log some first")
+        raise StateError(f"{file}: contains no state")
     sizes = [metadata.row_group(i).num_rows for i in range(metadata.num_row_groups)]
     with file.open("rb") as stream:
         digest = hashlib.file_digest(stream, "sha256").hexdigest()

@@ -1,13 +1,13 @@
-"""Random words without a stream: Philox-4×32-10, a function of a key and a counter.
+"""Counter-based random words: Philox-4×32-10, a function of a key and a counter.
 
 Salmon, Moraes, Dror & Shaw 2011: ten rounds of two multiplications turn a counter of four 32-bit
-words into four random ones.  Which thread asks first, for which block, changes nothing.
+words into four random ones.  A block's words do not depend on other blocks or on their order.
 
     key      the seed, 64 bits
     counter  state in its block, group of four rows, block (64 bits)
 
-NumPy's own Philox has 64-bit words, which no vector unit multiplies: in a compiled loop this one is
-five times as fast (`fused`).
+NumPy's own Philox has 64-bit words, whose products vector units lack; compiled (`philox_llvm`),
+this one is five times as fast.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _LOW, _HALF = np.uint64(0xFFFFFFFF), np.uint64(32)
 
 
 def random_words(seed: int, block: int, rows: int, length: int) -> NDArray[np.uint32]:
-    """Words of one block, shape (rows, length): those of state k stand in column k."""
+    """Words of one block, shape (rows, length): those of state k are in column k."""
     words = np.empty((-(-rows // 4) * 4, length), np.uint32)
     state = np.arange(length, dtype=np.uint64)
     for group in range(len(words) // 4):

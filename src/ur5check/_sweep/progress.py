@@ -1,4 +1,4 @@
-"""How far a sweep is: said aloud now and then, and kept on disk."""
+"""The progress of a sweep: reported every few seconds, and saved as a checkpoint."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ from .sweep_plan import Plan
 
 __all__ = ["SweepProgress"]
 
-_SAY_EVERY = 5.0  # [s]
+_REPORT_EVERY = 5.0  # [s]
 
 
 class SweepProgress:
-    """Takes statistics in the order of their blocks.  Leaving it, even by Ctrl-C, saves what is
-    done.
+    """Merges statistics in the order of their blocks; on exit, even by Ctrl-C, it saves them.
 
-    done : where to go on from, if anywhere
+    path : of the checkpoint, or None;  every : seconds between two checkpoints
+    done : the checkpoint to resume from, or None
+    report : called with a sentence about the progress
     """
 
     def __init__(
@@ -30,24 +31,24 @@ class SweepProgress:
         path: Path | None,
         every: float,
         done: Checkpoint | None,
-        say: Callable[[str], None],
+        report: Callable[[str], None],
     ) -> None:
-        self._plan, self._path, self._every, self._say = plan, path, every, say
+        self._plan, self._path, self._every, self._report = plan, path, every, report
         self._done = done
         self._saved = done
-        self._began = self._said = self._written = monotonic()
+        self._began = self._reported = self._written = monotonic()
         self._first = 0 if done is None else done.statistics.count
         if done is not None:
-            self._say(f"going on from {path}: {self._first:,} states are done")
+            self._report(f"resuming from {path}: {self._first:,} states are done")
 
     @property
     def blocks(self) -> int:
-        """Blocks done, from the first on."""
+        """Number of blocks done, from the first on."""
         return 0 if self._done is None else self._done.blocks
 
     @property
     def statistics(self) -> Statistics:
-        """Of all that is done."""
+        """Of all blocks done."""
         if self._done is None:
             raise ValueError("nothing is done yet")
         return self._done.statistics
@@ -58,9 +59,9 @@ class SweepProgress:
         whole = statistics if self._done is None else self._done.statistics.merge(statistics)
         self._done = Checkpoint(blocks, whole)
         now = monotonic()
-        if now - self._said >= _SAY_EVERY:
-            self._said = now
-            self._say(self._sentence())
+        if now - self._reported >= _REPORT_EVERY:
+            self._reported = now
+            self._report(self._sentence())
         if now - self._written >= self._every:
             self._save()
             self._written = monotonic()
@@ -76,10 +77,10 @@ class SweepProgress:
     ) -> None:
         self._save()
         if kind is None:
-            self._say(self._summary())
+            self._report(self._summary())
         elif self._path is not None and self._done is not None:
-            self._say(
-                f"{self._path} keeps {self.statistics.count:,} states; the same command goes on"
+            self._report(
+                f"{self._path} holds {self.statistics.count:,} states; repeat the command to resume"
             )
 
     def _save(self) -> None:
@@ -88,17 +89,17 @@ class SweepProgress:
             self._saved = self._done
 
     def _rate(self) -> float:
-        """States a second, of those done here."""
+        """States per second since the start or the resumption."""
         return (self.statistics.count - self._first) / max(monotonic() - self._began, 1e-9)
 
     def _sentence(self) -> str:
         count, total, rate = self.statistics.count, self._plan.sample.count, self._rate()
         left = duration((total - count) / rate)
-        return f"{count:,} of {total:,} states, {rate:,.0f} a second, {left} left"
+        return f"{count:,} of {total:,} states, {rate:,.0f} per second, {left} left"
 
     def _summary(self) -> str:
         count, rate = self.statistics.count - self._first, self._rate()
-        return f"{count:,} states in {monotonic() - self._began:.1f} s, {rate:,.0f} a second"
+        return f"{count:,} states in {monotonic() - self._began:.1f} s, {rate:,.0f} per second"
 
 
 def duration(seconds: float) -> str:

@@ -1,7 +1,7 @@
-"""Where in its reach an arm meets a difference: the tool's radius and height, on a grid.
+"""The torque difference by the tool's position: a grid of its radius and height.
 
-Radius is the tool's distance from the base frame's z axis, height its z.  A tool beyond the grid's
-edge is counted in the cell at the edge.
+Radius is the distance from the z axis of the base frame, height the z coordinate.  A tool outside
+the grid is counted in the cell at the edge.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .._robot.transforms import Array
 
 __all__ = ["HEIGHTS", "RADII", "ReachGrid", "reach_grid", "tool_position"]
 
-RADII, HEIGHTS = 24, 48  # cells from the axis outwards, and from below upwards: all are squares
+RADII, HEIGHTS = 24, 48  # cells outwards and upwards, each a square
 
 
 @dataclass(frozen=True)
@@ -50,9 +50,9 @@ class ReachGrid:
 
 
 def reach_grid(arm: SerialArm, travel: Array) -> ReachGrid:
-    """A grid that no tool leaves: all links stretched out, and sliding joints too.
+    """A grid that contains the whole workspace.
 
-    travel : how far each joint goes from zero, shape (n,); only a sliding joint's counts [m]
+    travel : largest |q| of each joint, shape (n,); used for prismatic joints only [m]
     """
     lengths = [float(np.linalg.norm(arm.base.p))]
     for joint, link, far in zip(arm.joints, arm.links, travel, strict=True):
@@ -65,7 +65,7 @@ def reach_grid(arm: SerialArm, travel: Array) -> ReachGrid:
 def tool_position(arm: SerialArm, q: Array) -> NDArray[Any]:
     """Origin of the tool frame in the base frame, shape (N, 3) [m].
 
-    `forward_kinematics` without its rotations: one vector is carried from the tip to the base.
+    `forward_kinematics` without rotations: one vector, transformed from the tip to the base.
     """
     chain = chain_of(arm)
 

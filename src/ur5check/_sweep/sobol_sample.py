@@ -1,10 +1,10 @@
-"""Scrambled Sobol points in a box, any block of them at once.
+"""Scrambled Sobol points in a box, computed block by block.
 
 Point i is the exclusive or of the direction numbers v_b over the bits b of i's Gray code, i ^ i/2,
-and of a shift.  BLOCK is a power of two, so that the bits of BLOCK·k and of a point's place within
-block k do not meet: block k is block 0, with the direction numbers of BLOCK·k's Gray code
-exclusive-or'ed into every point.  SciPy's own `fast_forward` goes there step by step, and (1.17)
-with no more than 32 bits.
+and of a shift.  BLOCK is a power of two, so that the bits of BLOCK·k and of a point's index within
+block k are disjoint: block k is block 0 with the direction numbers of BLOCK·k's Gray code
+exclusive-or'ed into every point.  SciPy's own `fast_forward` (1.17) goes there step by step, with
+no more than 32 bits.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .state_sample import BLOCK, box_value, in_box
 
 __all__ = ["SobolSample"]
 
-_BITS = 52  # of a coordinate; SciPy hands out float64, which hold them exactly
+_BITS = 52  # of a coordinate; a float64 of SciPy holds them exactly
 
 Words = NDArray[np.uint64]
 

@@ -1,4 +1,4 @@
-"""States that an arm went through: a log, as CSV or as Parquet, read a block at a time."""
+"""The states of a log, CSV or Parquet, read block by block."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _SUFFIXES = (".csv", ".parquet")
 
 
 def is_log(name: str | PathLike[str]) -> bool:
-    """Whether a sample is a file."""
+    """Whether a sample is the name of a log."""
     return Path(name).suffix.lower() in _SUFFIXES
 
 
 def log_sample(file: Path, arm: SerialArm) -> CsvLog | ParquetLog:
-    """The states in a log.  Raises StateError for a file that is none."""
+    """The states of a log.  Raises StateError for a file that cannot be read as one."""
     if not file.is_file():
         raise StateError(f"{file}: there is no such file; name a .csv or .parquet log")
     try:

@@ -1,7 +1,7 @@
-"""Which states a sweep looks at, block by block: any block can be made without those before it.
+"""The states of a sweep in blocks, each of which is computed without the others.
 
-Block k holds the states BLOCK·k … BLOCK·(k + 1) − 1, whoever asks for it and in whatever order.
-Its size is part of what "the same states" means, and no option changes it.
+Block k holds the states BLOCK·k … BLOCK·(k + 1) − 1.  The states depend on BLOCK, so no option
+changes it.
 """
 
 from __future__ import annotations
@@ -15,12 +15,11 @@ from numpy.typing import NDArray
 from .._comparison.worst_case.state_box import StateBox
 from .._robot.states import States
 from .._robot.transforms import Array
-from .loop_choice import drawn
-from .numpy_loops import placed
+from .random_states import drawn, placed
 
 __all__ = ["BLOCK", "GridSample", "RandomSample", "Sample", "blocks_of", "box_value", "in_box"]
 
-BLOCK = 16_384  # 18 numbers a state make 2.4 MB: about what stays in a core's cache
+BLOCK = 16_384  # with 18 numbers per state 2.4 MB, about the cache of a core
 
 
 class Sample(Protocol):
@@ -28,15 +27,15 @@ class Sample(Protocol):
 
     @property
     def count(self) -> int:
-        """How many."""
+        """Number of states."""
         ...
 
     def block(self, k: int) -> States:
-        """Those of block k; the last may be shorter."""
+        """The states of block k; the last may be shorter."""
         ...
 
     def description(self) -> dict[str, Any]:
-        """All that the states depend on, as plain values for JSON."""
+        """Everything the states depend on, as plain values for JSON."""
         ...
 
 
@@ -47,9 +46,8 @@ def blocks_of(sample: Sample) -> int:
 
 @dataclass(frozen=True, eq=False)
 class RandomSample:
-    """Uniform in a box.  Philox is a function of (seed, block) and a counter (`philox`): no stream
-    of numbers runs through the blocks.  Its 32-bit words place a state on a raster of 2⁻³² of the
-    box.
+    """Uniform in a box, by Philox of seed, block and a counter (`philox`); the 32-bit words place a
+    state on a raster of 2⁻³² of the box.
     """
 
     box: StateBox
@@ -66,10 +64,10 @@ class RandomSample:
 
 @dataclass(frozen=True, eq=False)
 class GridSample:
-    """Postures at rest, `levels` of each joint, in the middles of equal parts of its range.
+    """Positions at rest, `levels` of each joint, in the middles of equal parts of its range.
 
-    A grid of q, q̇ and q̈ together would have two levels an axis at a billion states; a grid of
-    postures shows what gravity alone does, everywhere.
+    A grid of q, q̇ and q̈ together would have two levels per axis at a billion states; a grid of
+    positions shows the torques of gravity in the whole workspace.
     """
 
     box: StateBox
@@ -100,7 +98,7 @@ def in_box(box: StateBox, words: NDArray[Any], *, raster: float) -> States:
 
 
 def _cells(box: StateBox, raster: float) -> tuple[Array, Array]:
-    """Width of a cell of the box and the middle of the first, per row of 3 n."""
+    """Width of a cell of the raster and the middle of the first, for each of 3 n rows."""
     lower = np.concatenate([box.lower, -box.rate, -box.acceleration])
     width = np.concatenate([box.upper - box.lower, 2.0 * box.rate, 2.0 * box.acceleration]) * raster
     return width, lower + 0.5 * width

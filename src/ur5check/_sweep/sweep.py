@@ -1,9 +1,9 @@
-"""`ur5check.sweep`: two arms at as many states as you like, in memory that does not grow.
+"""`ur5check.sweep`: the torque difference of two arms at any number of states, in constant memory.
 
     states of block k → Δτ → statistics ─┐
     states of block l → Δτ → statistics ─┴→ one statistics → Sweep
 
-Who computes the blocks, how many at a time and in which order changes no digit of the result.
+No digit of the result depends on which process computes a block, or in which order.
 """
 
 from __future__ import annotations
@@ -64,28 +64,28 @@ def sweep(
 
     Parameters
     ----------
-    a, b : a list of mistakes name, a path, a `pin.Model` or a `SerialArm` (see `load`)
-    states : how many, a million unless said; a grid takes the largest one that has no more; a log
-        brings its own
+    a, b : a shipped model's name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    states : their number, by default 1e6; a grid is the largest with no more; not for a log
     sample : "random", "sobol", "grid" (postures at rest), or a .csv or .parquet log of a's joints
     seed : of random and Sobol states
-    within_limits : draw positions and velocities within joint limits (a's, else b's, else the
-        default); otherwise |q| ≤ π, |q̇| ≤ 3.2; always |q̈| ≤ 10
-    over : a torque, or one a joint, shape (n,) [N m]: the share of the states that exceed it
-    gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
-    threads : of this process, where there is no scheduler
-    batch : blocks of 16,384 states that a thread or a worker takes at a time; chosen when None
-    scheduler : address of a Dask scheduler ("tcp://…:8786"), whose workers then do the work
-    checkpoint : a file to keep what is done in, and to go on from if it is there
-    checkpoint_every : seconds between two writings of it
-    progress : is told, in a sentence, how far things are
+    within_limits : draw positions and velocities within the joint limits (a's, else b's, else the
+        default bounds); otherwise |q| ≤ π, |q̇| ≤ 3.2; always |q̈| ≤ 10
+    tolerance : of all joints, or of each, shape (n,) [N m]: the share of the states with a larger
+        |Δτ| is reported
+    gravity : in each arm's base frame, shape (3,) [m/s²]; by default each arm's own
+    threads : of this process, without a scheduler
+    batch : blocks of 16,384 states per task of a thread or worker; chosen when None
+    scheduler : address of a Dask scheduler ("tcp://…:8786"), whose workers compute the blocks
+    checkpoint : file for intermediate results; the sweep resumes from it if it exists
+    checkpoint_every : seconds between two checkpoints
+    progress : called with a sentence about the progress
 
     No digit of the result depends on `threads`, `batch`, `scheduler` or `checkpoint`.
 
     Raises
     ------
-    InputError : a model or log that cannot be read, arms that cannot be compared, a number that has
-        no meaning, a checkpoint of another sweep.
+    InputError : a model or log that cannot be read, arms that cannot be compared, an invalid
+        argument, a checkpoint of another sweep.
     """
     if threads < 1 or (batch is not None and batch < 1):
         raise UsageError(f"threads and batch must be at least 1, not {threads} and {batch}")
@@ -112,10 +112,10 @@ def run(
     checkpoint_every: float,
     progress: Callable[[str], None],
 ) -> Statistics:
-    """All blocks of a plan that are not done yet, and with those that are: one statistics."""
+    """The statistics of all blocks of a plan, resumed from the checkpoint if it exists."""
     done = None if checkpoint is None else load_checkpoint(checkpoint, plan)
     sweep_progress = SweepProgress(plan, checkpoint, checkpoint_every, done, progress)
-    # Closed before the progress record is, so that no thread works on while it saves.
+    # Closed before the progress, so that no thread works while the checkpoint is saved.
     with sweep_progress, closing(executor(plan, sweep_progress.blocks)) as parts:
         for statistics in parts:
             sweep_progress.add(statistics)
@@ -136,9 +136,7 @@ def _sample(
     """Raises UsageError, or StateError for a log."""
     if is_log(kind):
         if within_limits or states is not None:
-            raise UsageError(
-                "states and within-limits have no meaning for a log; it is taken as it is"
-            )
+            raise UsageError("states and within-limits do not apply to a log")
         return log_sample(Path(kind), pair.a)
     if states is None:
         states = _STATES
@@ -158,7 +156,7 @@ def _sample(
 
 
 def _free_box(n: int) -> StateBox:
-    """The box of `random_states`: what the joints could do, limits aside."""
+    """The box of `_robot.states.random_states`, without joint limits."""
     angle, rate, acceleration = (
         np.full(n, bound) for bound in (MAX_ANGLE, MAX_RATE, MAX_ACCELERATION)
     )
@@ -166,7 +164,7 @@ def _free_box(n: int) -> StateBox:
 
 
 def _levels(states: int, n: int) -> int:
-    """The finest grid of n axes that has no more than so many points."""
+    """The levels per axis of the finest grid of n axes with at most so many points."""
     levels = round(states ** (1.0 / n))  # may be one too many, never two
     return int(levels if levels**n <= states else levels - 1)
 

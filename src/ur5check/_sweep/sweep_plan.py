@@ -1,5 +1,4 @@
-"""Everything that a sweep's result depends on, as one value: what threads, workers and checkpoints
-are handed, and what makes two results comparable to the digit."""
+"""Everything the result of a sweep depends on; threads, workers and checkpoints receive it."""
 
 from __future__ import annotations
 
@@ -23,18 +22,18 @@ from .torque_difference import TorqueDifference, torque_difference
 
 __all__ = ["Plan", "plan_of"]
 
-#: A map wants a million states, not a billion: a tool's position costs several times its
-#: statistics.
+#: A reach map of a million states is enough: a tool position takes longer than the statistics.
 _MAP_STATES = 1_000_000
 _MAP_EVERY = 64
 
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """Arms in one set of joint coordinates, states, and what is asked of them.
+    """Two arms in the same joint coordinates, states, tolerance and reach map.
 
-    over : limit on |Δτ| per joint, shape (n,) [N m]; None if none was asked for
-    grid : of the reach map, in a's base frame;  map_every : it sees every so-many-th state
+    tolerance : of |Δτ| per joint, shape (n,) [N m], or None
+    grid : of the reach map, in a's base frame
+    map_every : the map takes every so-many-th state
     """
 
     a: SerialArm
@@ -50,29 +49,29 @@ class Plan:
 
     @property
     def engine(self) -> str:
-        """What computes the torques."""
+        """The path that computes the torques."""
         return _difference(self).engine
 
     def statistics(self, start: int, stop: int) -> Statistics:
-        """Blocks start … stop − 1, one after the other; their map is drawn at the end, at once."""
+        """Of blocks start … stop − 1; the reach map of all is computed together, at the end."""
         seen: list[tuple[Array, Array]] = []
         total = merged(self._statistics(k, seen) for k in range(start, stop))
         q, sizes = (np.concatenate(part) for part in zip(*seen, strict=True))
         return total.on_map(self.cells_of(q), sizes, self.grid.cells)
 
     def _statistics(self, k: int, seen: list[tuple[Array, Array]]) -> Statistics:
-        """Block k without its map; what the map will want of it is put by."""
+        """Of block k without a map; appends to `seen` what the map needs."""
         states = self.sample.block(k)
         delta = _difference(self).of(states.q, states.qd, states.qdd)
         seen.append((states.q[:: self.map_every].copy(), np.abs(delta[:: self.map_every])))
         return statistics_of(delta, states, BLOCK * k, tolerance=self.tolerance)
 
     def cells_of(self, q: Array) -> NDArray[np.intp]:
-        """Where the tool is at these positions, shape (N, n)."""
+        """The reach map's cell of the tool at positions q, shape (N, n)."""
         return self.grid.cell(tool_position(self.a, q))
 
     def description(self) -> dict[str, Any]:
-        """The same as plain values, by what a user would call them."""
+        """As plain values for the checkpoint, with names for its error message."""
         return {
             "version": __version__,
             "numpy": np.__version__,
@@ -81,51 +80,55 @@ class Plan:
             "model B": _numbers(self.b),
             "states": self.sample.count,
             "sample": self.sample.description(),
-            "limit": None if self.tolerance is None else self.tolerance.tolist(),
+            "tolerance": None if self.tolerance is None else self.tolerance.tolist(),
             "reach map": [self.grid.reach, self.map_every],
         }
 
 
 def plan_of(pair: Pair, sample: Sample, tolerance: ArrayLike | None) -> Plan:
-    """The plan for a pair of arms.  Raises UsageError for a limit that is none."""
+    """The plan for a pair of arms.  Raises UsageError for an invalid tolerance."""
     of = sample.description()
     box = of.get("box") or box_value(state_box(pair, 0.0))
     travel = np.abs([box["lower"], box["upper"]]).max(axis=0)
-    # Of a grid, every so-many-th posture might be one and the same angle of a joint.
+    # Every so-many-th posture of a grid could have the same angle of a joint.
     every = 1 if of["kind"] == "grid" else min(max(sample.count // _MAP_STATES, 1), _MAP_EVERY)
     return Plan(
         _bare(pair.a),
         _bare(pair.b),
         sample,
-        None if tolerance is None else _limits(tolerance, pair.a.n),
+        None if tolerance is None else _tolerances(tolerance, pair.a.n),
         reach_grid(pair.a, travel),
         every,
     )
 
 
-def _limits(tolerance: ArrayLike, n: int) -> Array:
-    """Limits of n joints, shape (n,), from one or n of them."""
-    limits = np.asarray(tolerance, dtype=np.float64)
-    if limits.shape not in ((), (1,), (n,)):
-        raise UsageError(f"over has {limits.size} limits; give one, or one for each of {n} joints")
-    if not (np.isfinite(limits).all() and (limits >= 0.0).all()):
-        raise UsageError(f"over must be sizes of torques [N m], not {limits.tolist()}")
-    return np.broadcast_to(limits, (n,)).copy()
+def _tolerances(tolerance: ArrayLike, n: int) -> Array:
+    """Tolerances of n joints, shape (n,), from one or n of them."""
+    tolerances = np.asarray(tolerance, dtype=np.float64)
+    if tolerances.shape not in ((), (1,), (n,)):
+        raise UsageError(
+            f"tolerance has {tolerances.size} entries; give one, or one for each of {n} joints"
+        )
+    if not (np.isfinite(tolerances).all() and (tolerances >= 0.0).all()):
+        raise UsageError(
+            f"tolerance must be finite and not negative [N m], not {tolerances.tolist()}"
+        )
+    return np.broadcast_to(tolerances, (n,)).copy()
 
 
 def _bare(arm: SerialArm) -> SerialArm:
-    """The arm without the file or `pin.Model` it came from: what goes to another machine."""
+    """The arm without its file or `pin.Model`, to be sent to another process."""
     return replace(arm, source=Source())
 
 
 @lru_cache(maxsize=8)
 def _difference(plan: Plan) -> TorqueDifference:
-    """Made once in each process: a kernel may have to be compiled first."""
+    """Made once per process: a kernel may have to be compiled."""
     return torque_difference(plan.a, plan.b)
 
 
 def _numbers(arm: SerialArm) -> dict[str, Any]:
-    """All that torque depends on."""
+    """All numbers that the torques depend on."""
     return {
         "joints": [
             [joint.kind, joint.axis.tolist(), joint.armature, joint.damping, joint.friction]

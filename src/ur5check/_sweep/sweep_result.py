@@ -1,4 +1,4 @@
-"""What a sweep found, as one value."""
+"""The result of a sweep."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .sweep_plan import Plan
 
 __all__ = ["QUANTILES", "Sweep"]
 
-#: Shares of the states; the size that so many do not exceed is reported.
+#: Shares of the states whose quantiles of |Δτ| are reported.
 QUANTILES = (0.5, 0.9, 0.99, 0.999)
 
 
@@ -25,9 +25,9 @@ class Sweep:
     """Δτ = τ_a − τ_b over all states of a plan; arrays of shape (n,) unless said otherwise.
 
     pair : both arms, in a's joint coordinates
-    plan : states, limits, reach map
-    statistics : what was kept
-    scale_rms, scale_max : of τ_a itself in the first block [N m], to judge a difference by
+    plan : states, tolerance, reach map
+    statistics : of Δτ over all states
+    scale_rms, scale_max : of τ_a in the first block [N m], for comparison
     """
 
     pair: Pair
@@ -43,13 +43,13 @@ class Sweep:
 
     @property
     def log(self) -> tuple[tuple[str, str], ...]:
-        """(name, SHA-256) of the file that the states were read from, if they were."""
+        """(name, SHA-256) of the log, if the states come from one."""
         of = self.plan.sample.description()
         return ((of["file"], of["sha256"]),) if "file" in of else ()
 
     @property
     def rms(self) -> Array:
-        """[N m]."""
+        """Root mean square of Δτ [N m]."""
         return np.array([mean(total, self.count) ** 0.5 for total in self.statistics.squares])
 
     @property
@@ -72,16 +72,16 @@ class Sweep:
         return {"q": q, "qd": qd, "qdd": qdd}
 
     def quantile(self, share: float) -> Array:
-        """|Δτ| that `share` of the states do not exceed [N m], to RELATIVE_ERROR of itself."""
+        """|Δτ| that `share` of the states do not exceed [N m], to a relative RELATIVE_ERROR."""
         found = [quantile(counts, share) for counts in self.statistics.bins]
         return np.asarray(np.minimum(found, self.maximum))
 
     def share_over(self) -> Array | None:
-        """Share of the states over the limit; None if no limit was asked for."""
+        """Share of the states with |Δτ| above the tolerance; None if there is none."""
         return (
             None
             if self.plan.tolerance is None
-            else np.asarray(self.statistics.tolerance / self.count)
+            else np.asarray(self.statistics.above_tolerance / self.count)
         )
 
     @property

@@ -1,4 +1,4 @@
-"""The one place where a sweep meets an algorithm: the torque difference of a block of states."""
+"""The torque difference of a block of states, by a kernel."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ __all__ = ["TorqueDifference", "torque_difference"]
 
 @dataclass(frozen=True)
 class TorqueDifference:
-    """Δτ = τ_a − τ_b of two arms in one set of joint coordinates.
+    """Δτ = τ_a − τ_b of two arms in the same joint coordinates.
 
-    engine : what computes it; a sweep does not change engines on the way
-    of : (q, qd, qdd), each of shape (N, n), to Δτ of shape (N, n) [N m].  States come as
-        transposed views of rows, one row a joint, and may be returned so: then nothing is copied
+    engine : the path of the kernel, the same for the whole sweep
+    of : (q, qd, qdd), each of shape (N, n), to Δτ of shape (N, n) [N m].  All are transposed views
+        of arrays with one row per joint, so that nothing is copied
     """
 
     engine: str
@@ -26,7 +26,7 @@ class TorqueDifference:
 
 
 def torque_difference(a: SerialArm, b: SerialArm) -> TorqueDifference:
-    """By a kernel of the difference: machine code where llvmlite is installed, else NumPy."""
+    """The kernel of the difference: machine code where llvmlite is installed, else NumPy."""
     kernel = compile_difference(a, b)
 
     def of(q: Array, qd: Array, qdd: Array) -> Array:

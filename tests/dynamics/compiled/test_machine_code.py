@@ -8,7 +8,7 @@ import pytest
 import ur5check as ur5
 from ur5check._dynamics.compiled import machine_code as module
 from ur5check._dynamics.compiled.llvm_source import llvm_source
-from ur5check._dynamics.compiled.machine_code import BLOCK, MachineCode, machine_code, processor
+from ur5check._dynamics.compiled.machine_code import BLOCK, KernelCode, machine_code, processor
 from ur5check._dynamics.compiled.sincos import FAR
 from ur5check._dynamics.symbolic.program import Assignment, Program, Term, state_names
 from ur5check._dynamics.symbolic.trace import trace
@@ -27,7 +27,7 @@ def program(*outputs: tuple[Term, ...], assignments: tuple[Assignment, ...] = ()
 
 def ran(program: Program, q=STATES.q, qd=STATES.qd, qdd=STATES.qdd) -> np.ndarray:
     out = np.full((len(q), len(program.outputs)), np.nan)
-    MachineCode(machine_code(llvm_source(program)))(q, qd, qdd, out)
+    KernelCode(machine_code(llvm_source(program)))(q, qd, qdd, out)
     return out
 
 

@@ -178,10 +178,10 @@ def _code(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> _Run:
             exec(kept(f"{quantity}_{key}.py", make), names)  # noqa: S102 - our own text
             python: _Run = names["run"]
             return python
-        from .machine_code import MachineCode, processor
+        from .machine_code import KernelCode, processor
 
         key = fingerprint(arms, quantity, path, processor())
-        return MachineCode(kept(f"{quantity}_{key}.o", make))
+        return KernelCode(kept(f"{quantity}_{key}.o", make))
 
 
 def _shared(

@@ -10,21 +10,20 @@ The scratch array (36 rows for a UR5's torques, 18 kB) stays in the processor's 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from typing import Any
 
 from llvmlite import ir
 
 from ..symbolic.infix_text import description
 from ..symbolic.program import STATE, Program, read_input, value_of
-from .llvm_values import LANES, VECTOR, Values, constant, transposed
+from .llvm_values import INTEGER, LANES, VECTOR, Values, constant, counted_loop, integer, transposed
 from .machine_code import ARRAYS, BLOCK
 from .sincos import FAR, turned
 
 __all__ = ["llvm_source"]
 
-_INT, _BYTE, _DOUBLE, _ADDRESS = ir.IntType(64), ir.IntType(8), ir.DoubleType(), ir.PointerType()
+_BYTE, _DOUBLE, _ADDRESS = ir.IntType(8), ir.DoubleType(), ir.PointerType()
 
 
 def llvm_source(program: Program) -> str:
@@ -44,14 +43,14 @@ class _Writer:
     def __init__(self, program: Program) -> None:
         self.program = program
         self.module = ir.Module("kernel")
-        kinds = [_INT, _ADDRESS, *[_ADDRESS, _INT, _INT] * len(ARRAYS)]
+        kinds = [INTEGER, _ADDRESS, *[_ADDRESS, INTEGER, INTEGER] * len(ARRAYS)]
         run = ir.Function(self.module, ir.FunctionType(ir.VoidType(), kinds), "run")
         count, self.scratch, *rest = run.args
         self.arrays = {name: rest[3 * i : 3 * i + 3] for i, name in enumerate(ARRAYS)}
         self.build = ir.IRBuilder(run.append_basic_block())
         self.largest = self.build.alloca(VECTOR)
         with self.loop(count, BLOCK) as start:
-            here = self.call("llvm.smin.i64", self.build.sub(count, start), _integer(BLOCK))
+            here = self.call("llvm.smin.i64", self.build.sub(count, start), integer(BLOCK))
             for name in program.arguments:
                 self.gather(name, start, here)
             self.turn()
@@ -103,7 +102,7 @@ class _Writer:
         """The results' rows to where the caller wants them, along what lies close together."""
         build, (_, state_step, entry_step) = self.build, self.arrays["out"]
         done = self.scatter_eights(start, here)
-        left = build.sub(_integer(len(self.program.outputs)), done)
+        left = build.sub(integer(len(self.program.outputs)), done)
 
         def move(k: Any, index: Any) -> None:
             place = build.add(done, index)
@@ -112,9 +111,17 @@ class _Writer:
 
         states_apart = build.icmp_signed(">=", state_step, entry_step)
         with build.if_else(states_apart) as (state_by_state, entry_by_entry):
-            with state_by_state, self.loop(here) as k, self.loop(left) as index:
+            with (
+                state_by_state,
+                self.loop(here) as k,
+                self.loop(left) as index,
+            ):
                 move(k, index)
-            with entry_by_entry, self.loop(left) as index, self.loop(here) as k:
+            with (
+                entry_by_entry,
+                self.loop(left) as index,
+                self.loop(here) as k,
+            ):
                 move(k, index)
 
     def scatter_eights(self, start: Any, here: Any) -> Any:
@@ -123,35 +130,23 @@ class _Writer:
         Written one by one, a matrix's entries would take as long as working them out.
         """
         build, (_, _, entry_step) = self.build, self.arrays["out"]
-        whole = build.icmp_signed("==", here, _integer(BLOCK))
-        together = build.and_(whole, build.icmp_signed("==", entry_step, _integer(8)))
+        whole = build.icmp_signed("==", here, integer(BLOCK))
+        together = build.and_(whole, build.icmp_signed("==", entry_step, integer(8)))
         eights = len(self.program.outputs) // LANES * LANES
         with (
             build.if_then(together),
             self.loop(BLOCK, LANES) as k,
             self.loop(eights, LANES) as first,
         ):
-            rows = [self.load("out", build.add(first, _integer(i)), k) for i in range(LANES)]
+            rows = [self.load("out", build.add(first, integer(i)), k) for i in range(LANES)]
             for i, state in enumerate(transposed(rows)):
-                k_i = build.add(start, build.add(k, _integer(i)))
+                k_i = build.add(start, build.add(k, integer(i)))
                 build.store(state.register, self.entry("out", k_i, first), align=1)
-        return build.select(together, _integer(eights), _integer(0))
+        return build.select(together, integer(eights), integer(0))
 
-    @contextmanager
-    def loop(self, stop: Any, step: int = 1) -> Iterator[Any]:
-        """What is written inside is done for k = 0, step, 2 step, … below stop."""
-        build, before = self.build, self.build.block
-        head, body, after = (build.append_basic_block(name) for name in ("head", "body", "after"))
-        build.branch(head)
-        build.position_at_end(head)
-        k = build.phi(_INT)
-        k.add_incoming(_integer(0), before)
-        build.cbranch(build.icmp_signed("<", k, _integer(stop)), body, after)
-        build.position_at_end(body)
-        yield k
-        k.add_incoming(build.add(k, _integer(step)), build.block)
-        build.branch(head)
-        build.position_at_end(after)
+    def loop(self, stop: Any, step: int = 1) -> AbstractContextManager[Any]:
+        """`counted_loop` at the current position."""
+        return counted_loop(self.build, stop, step)
 
     def entry(self, name: str, state: Any, index: Any) -> Any:
         """The address of one entry of the caller's array."""
@@ -164,8 +159,8 @@ class _Writer:
     def place(self, name: str, index: Any, k: Any) -> Any:
         """The address of state k in a scratch row: those of STATE, joint by joint, then results."""
         first = (*STATE, "out").index(name) * self.program.n
-        row = self.build.add(_integer(index), _integer(first))
-        place = self.build.add(self.build.mul(row, _integer(BLOCK)), k)
+        row = self.build.add(integer(index), integer(first))
+        place = self.build.add(self.build.mul(row, integer(BLOCK)), k)
         return self.build.gep(self.scratch, [place], inbounds=True, source_etype=_DOUBLE)
 
     def load(self, name: str, index: Any, k: Any) -> Values:
@@ -187,7 +182,3 @@ class _Writer:
             takes = [argument.type for argument in arguments]
             ir.Function(self.module, ir.FunctionType(gives or takes[0], takes), name)
         return self.build.call(self.module.globals[name], arguments)
-
-
-def _integer(value: Any) -> Any:
-    return ir.Constant(_INT, value) if isinstance(value, int) else value

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
 from llvmlite import ir
 
-__all__ = ["LANES", "VECTOR", "Values", "constant", "transposed"]
+__all__ = [
+    "INTEGER",
+    "LANES",
+    "VECTOR",
+    "Values",
+    "constant",
+    "counted_loop",
+    "integer",
+    "transposed",
+]
 
 #: One AVX-512 register; LLVM makes two or four of it where registers are shorter.
 LANES = 8
 
 VECTOR = ir.VectorType(ir.DoubleType(), LANES)
+INTEGER = ir.IntType(64)
 _ALL = range(LANES)
 
 #: A product and a sum may become one fused multiply-add; nothing else may be moved or dropped,
@@ -59,6 +70,28 @@ class Values:
 def constant(number: float) -> Any:
     """A number, eight times."""
     return ir.Constant(VECTOR, [float(number)] * LANES)
+
+
+def integer(value: Any) -> Any:
+    """A whole number; what is an integer of LLVM already is returned as it is."""
+    return ir.Constant(INTEGER, value) if isinstance(value, int) else value
+
+
+@contextmanager
+def counted_loop(builder: ir.IRBuilder, stop: Any, step: int = 1) -> Iterator[Any]:
+    """Instructions written inside are executed for k = 0, step, 2 step, … below stop."""
+    before = builder.block
+    head, body, after = (builder.append_basic_block(name) for name in ("head", "body", "after"))
+    builder.branch(head)
+    builder.position_at_end(head)
+    k = builder.phi(INTEGER)
+    k.add_incoming(integer(0), before)
+    builder.cbranch(builder.icmp_signed("<", k, integer(stop)), body, after)
+    builder.position_at_end(body)
+    yield k
+    k.add_incoming(builder.add(k, integer(step)), builder.block)
+    builder.branch(head)
+    builder.position_at_end(after)
 
 
 def transposed(rows: Sequence[Values]) -> list[Values]:
