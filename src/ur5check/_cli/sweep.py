@@ -1,8 +1,8 @@
-"""Hold two models against each other at millions of states, in memory that does not grow.
+"""Statistics of the torque difference of two models over millions of states, in constant memory.
 
-Per joint: RMS, maximum with its state, quantiles, histogram, share over a limit; and where in the
-reach of the tool the difference is met.  The same digits for any number of threads, batches and
-machines, in one go or resumed.
+Per joint: RMS, maximum with its state, quantiles, histogram, share of the states above a tolerance;
+and a map of the largest difference by the position of the tool.  No digit depends on the number of
+threads, batches or machines, or on interruptions.
 
 Exit code 0 if no torque differs by more than a millionth of the largest, 1 if one does.
 """
@@ -36,58 +36,74 @@ examples:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What `sweep` takes."""
+    """Arguments of `sweep`."""
     parser.add_argument("a", metavar="A", help="a model")
-    parser.add_argument("b", metavar="B", help="another, held against it")
-    what = parser.add_argument_group("which states")
+    parser.add_argument("b", metavar="B", help="another, compared with it")
+    what = parser.add_argument_group("states")
     what.add_argument(
-        "--states", type=_count, metavar="N", help="how many (default: 1e6; of a log: all)"
+        "--states", type=_count, metavar="N", help="number of states (default: 1e6; of a log: all)"
     )
     what.add_argument(
         "--sample",
         default="random",
         metavar="HOW",
-        help="random (default), sobol, grid (postures at rest), or a log FILE.csv, FILE.parquet",
+        help="random (default), sobol, grid (positions at rest), or a log FILE.csv, FILE.parquet",
     )
     what.add_argument(
-        "--seed", type=int, default=0, metavar="N", help="seed that they are drawn from (default 0)"
+        "--seed",
+        type=int,
+        default=0,
+        metavar="N",
+        help="seed of random and sobol states (default: 0)",
     )
     what.add_argument(
-        "--within-limits", action="store_true", help="keep to joint limits of position and speed"
+        "--within-limits",
+        action="store_true",
+        help="draw positions and velocities within the joint limits",
     )
     what.add_argument(
         "--tolerance",
         type=float,
         nargs="+",
         metavar="NM",
-        help="count states that differ by more; one torque, or one a joint [N m]",
+        help="report the share of states with a larger difference [N m]; one value, or one per joint",
     )
     what.add_argument(
         "--gravity",
         type=float,
         nargs=3,
         metavar=("X", "Y", "Z"),
-        help="gravity in each base frame [m/s²] (default: what each model says)",
+        help="gravity in each base frame [m/s²] (default: each model's own)",
     )
-    how = parser.add_argument_group("how (changes no digit)")
-    how.add_argument("--threads", type=int, default=1, metavar="N", help="of this process")
+    how = parser.add_argument_group("execution (changes no digit of the result)")
     how.add_argument(
-        "--batch", type=int, metavar="N", help="blocks of 16,384 states taken at a time"
+        "--threads", type=int, default=1, metavar="N", help="threads of this process (default: 1)"
     )
-    how.add_argument("--scheduler", metavar="ADDRESS", help="a Dask scheduler, tcp://HOST:8786")
-    how.add_argument("--checkpoint", metavar="FILE", help="keep there what is done; go on from it")
+    how.add_argument("--batch", type=int, metavar="N", help="blocks of 16,384 states per task")
     how.add_argument(
-        "--checkpoint-every", type=float, default=30.0, metavar="S", help="seconds (default: 30)"
+        "--scheduler", metavar="ADDRESS", help="address of a Dask scheduler, tcp://HOST:8786"
+    )
+    how.add_argument(
+        "--checkpoint", metavar="FILE", help="save intermediate results; resume from the file"
+    )
+    how.add_argument(
+        "--checkpoint-every",
+        type=float,
+        default=30.0,
+        metavar="S",
+        help="seconds between checkpoints (default: 30)",
     )
     parser.add_argument(
-        "--parquet", metavar="FILE", help="write histograms there, the reach map beside it"
+        "--parquet",
+        metavar="FILE",
+        help="write the histograms, and the reach map to FILE.map.parquet",
     )
     add_model_options(parser, ("a", "b"))
     add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Sweep, report, and say whether they agree."""
+    """Sweep and report; the exit code says whether the models agree."""
     models = (args.a, args.b)
     options = ModelOptions.of(args, models)
     _check_options(args)
@@ -136,11 +152,11 @@ def _count(text: str) -> int:
             return int(text) if text.lstrip("+-").replace("_", "").isdecimal() else int(value)
     except (ValueError, OverflowError):
         pass
-    raise argparse.ArgumentTypeError(f"{text!r} is no whole number; write 1e8 or 100000000")
+    raise argparse.ArgumentTypeError(f"{text!r} is not a whole number; write 1e8 or 100000000")
 
 
 def _command(args: argparse.Namespace, models: tuple[str, ...], count: int) -> str:
-    """The command that makes this report again; what changes no digit is left out."""
+    """The command of this report, without options that change no digit."""
     from .._sweep.state_log import is_log
 
     words = [command_line("sweep", args, models), "--sample", shlex.quote(args.sample)]
@@ -154,17 +170,19 @@ def _command(args: argparse.Namespace, models: tuple[str, ...], count: int) -> s
 
 
 def _check_options(args: argparse.Namespace) -> None:
-    """Raises UsageError for options that have no meaning together."""
+    """Raises UsageError for options that exclude each other."""
     if args.scheduler is not None and args.threads != 1:
-        raise UsageError("--threads has no meaning with --scheduler: its workers have their own")
+        raise UsageError(
+            "--threads does not apply with --scheduler; set the threads of its workers"
+        )
     if args.checkpoint_every < 0.0:
         raise UsageError(f"--checkpoint-every {args.checkpoint_every}: must not be negative")
     if args.parquet is not None and Path(args.parquet).suffix != ".parquet":
-        raise UsageError(f"--parquet {args.parquet}: end its name in .parquet")
+        raise UsageError(f"--parquet {args.parquet}: the name must end in .parquet")
 
 
 def _check_outputs(args: argparse.Namespace, inputs: list[Path]) -> None:
-    """Refuse, before any work is done, what could not or should not be written."""
+    """Raises UsageError, before any work, for outputs that cannot or must not be written."""
     taken = [*inputs, Path(args.sample)]
     check_output(args.output, taken)
     check_output(args.checkpoint, taken, option="--checkpoint")
@@ -178,4 +196,6 @@ def _check_outputs(args: argparse.Namespace, inputs: list[Path]) -> None:
     written = [args.output, args.checkpoint, args.parquet]
     files = [Path(name).resolve() for name in written if name is not None]
     if len(set(files)) < len(files):
-        raise UsageError("-o, --checkpoint and --parquet name the same file; give each its own")
+        raise UsageError(
+            "-o, --checkpoint and --parquet name the same file; choose different files"
+        )
