@@ -66,7 +66,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=float,
         nargs="+",
         metavar="NM",
-        help="report the share of states with a larger difference [N m]; one value, or one per joint",
+        help="report the share of larger differences [N m]; one value, or one per joint",
     )
     what.add_argument(
         "--gravity",
