@@ -72,8 +72,8 @@ def test_what_the_format_cannot_carry_is_said_on_stderr(ur5check: Command) -> No
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("paper",), "the format is not said; give --to urdf|mjcf|dh, or -o with its suffix"),
-        (("paper", "-o", "arm.txt"), "the format is not said"),
+        (("paper",), "the format is not given; give --to urdf|dh|mjcf, or -o with its suffix"),
+        (("paper", "-o", "arm.txt"), "the format is not given"),
         (("paper", "--to", "dh", "-o", "arm.urdf"), "--to dh and -o arm.urdf ask for two formats"),
         (("papr", "--to", "dh"), "did you mean 'paper'?"),
         (("paper", "--to", "sdf"), "invalid choice: 'sdf'"),

@@ -6,15 +6,12 @@ comment at the top, with where the numbers came from, and on stderr."""
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
-from typing import TYPE_CHECKING
 
 from .._errors import UsageError
+from .._io.formats import WRITABLE, format_by_suffix
+from .._io.model_format import ModelFormat
 from .options import MODELS, ModelOptions, add_model_options, add_output_options, progress
 from .output import check_output, emit
-
-if TYPE_CHECKING:
-    from .._robot.serial_arm import SerialArm
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -26,16 +23,15 @@ examples:
   ur5check convert appendix -o ur5.toml
 """
 
-_SUFFIXES = {".urdf": "urdf", ".xml": "mjcf", ".mjcf": "mjcf", ".toml": "dh"}
-
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `convert` takes."""
     parser.add_argument("model", metavar="MODEL", help="what to convert")
     parser.add_argument(
         "--to",
-        choices=("urdf", "mjcf", "dh"),
-        help="default: what the suffix of -o says (.urdf, .xml, .toml)",
+        choices=tuple(WRITABLE),
+        help="format to write (default: by the suffix of -o, "
+        f"{', '.join(form.suffixes[0] for form in WRITABLE.values())})",
     )
     add_model_options(parser, ("",))
     add_output_options(parser, formats=False)
@@ -48,43 +44,20 @@ def run(args: argparse.Namespace) -> int:
     check_output(args.output, ())
     (arm,) = options.load(quiet=args.quiet)
     check_output(args.output, options.files([arm]))
-    text = _written(arm, form)
-    for line in _left_out(arm, form):
+    text = form.write(arm)
+    for line in form.left_out(arm):
         progress(args.quiet, line)
     emit(text, args.output)
     return 0
 
 
-def _format(to: str | None, output: str | None) -> str:
-    suffix = Path(output).suffix.lower() if output else ""
-    by_suffix = _SUFFIXES.get(suffix)
+def _format(to: str | None, output: str | None) -> ModelFormat:
+    by_suffix = format_by_suffix(output) if output else None
+    if by_suffix is not None and by_suffix.kind not in WRITABLE:
+        by_suffix = None
     if to is None and by_suffix is None:
-        raise UsageError("the format is not said; give --to urdf|mjcf|dh, or -o with its suffix")
-    if to is not None and by_suffix is not None and to != by_suffix:
+        kinds = "|".join(WRITABLE)
+        raise UsageError(f"the format is not given; give --to {kinds}, or -o with its suffix")
+    if to is not None and by_suffix is not None and to != by_suffix.kind:
         raise UsageError(f"--to {to} and -o {output} ask for two formats; change one of them")
-    return to or str(by_suffix)
-
-
-def _written(arm: SerialArm, form: str) -> str:
-    if form == "mjcf":
-        from .._io.mjcf.mjcf_writer import mjcf_of
-
-        return mjcf_of(arm)
-    if form == "dh":
-        from .._io.dh.dh_writer import dh_toml_of
-
-        return dh_toml_of(arm)
-    from .._io.urdf.urdf_writer import urdf_of
-
-    return urdf_of(arm)
-
-
-def _left_out(arm: SerialArm, form: str) -> list[str]:
-    """What the format cannot carry, as its writer says in the file's own comments."""
-    if form == "mjcf":
-        from .._io.mjcf.mjcf_writer import not_said
-    elif form == "urdf":
-        from .._io.urdf.urdf_writer import not_said
-    else:
-        return []
-    return not_said(arm)
+    return by_suffix or WRITABLE[str(to)]

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from .._errors import UsageError
+from .._io.formats import format_by_suffix
 from .options import add_output_options, name_value_pairs, progress
 from .output import check_output, emit
 
@@ -43,7 +44,8 @@ def run(args: argparse.Namespace) -> int:
     packages = name_value_pairs(args.package, "--package", "=")
     entry = SHIPPED_MODELS.get(args.file)
     path = entry.path() if entry else Path(args.file)
-    kind = entry.kind if entry else path.suffix.lower().removeprefix(".")
+    form = None if entry else format_by_suffix(path)
+    kind = entry.kind if entry else (form.kind if form else "")
     check_output(args.output, (path,))
     if kind == "urdf":
         text = _urdf(path, args.file, arguments)
@@ -103,7 +105,7 @@ def _not_a_xacro(name: str, kind: str) -> str:
     from .._io.shipped_models import SHIPPED_MODELS
     from .._io.suggestions import did_you_mean
 
-    if kind in ("dh", "toml"):
+    if kind == "dh":
         return (
             f"{name} is a DH table: there is no xacro in it to expand; see `ur5check show {name}`"
         )

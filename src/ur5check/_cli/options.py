@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .._errors import UsageError
+from .._io.formats import FORMATS as MODEL_FORMATS
+from .._io.formats import format_by_suffix, suffixes_in_words
 from .output import FORMATS
 
 if TYPE_CHECKING:
@@ -26,10 +28,7 @@ __all__ = [
     "progress",
 ]
 
-MODELS = (
-    "MODEL is paper, paper-listing, appendix, erd-ur5,\n"
-    "or a .urdf, .xacro, .sdf, MJCF .xml or DH .toml file."
-)
+MODELS = f"MODEL is paper, paper-listing, appendix, erd-ur5,\nor a file: {suffixes_in_words()}."
 
 
 # Options without a value that change what a report says.
@@ -199,6 +198,6 @@ def progress(quiet: bool, line: str) -> None:
 def _is_xacro(model: str) -> bool:
     from .._io.shipped_models import SHIPPED_MODELS
 
-    if model in SHIPPED_MODELS:
-        return SHIPPED_MODELS[model].kind == "xacro"
-    return Path(model).suffix.lower() == ".xacro"
+    shipped = SHIPPED_MODELS.get(model)
+    form = format_by_suffix(model) if shipped is None else MODEL_FORMATS[shipped.kind]
+    return form is not None and "arguments" in form.options

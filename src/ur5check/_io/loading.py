@@ -1,4 +1,4 @@
-"""One door for everything that can be taken for an arm."""
+"""`load`: every source of an arm, by name, path or value."""
 
 from __future__ import annotations
 
@@ -9,19 +9,12 @@ from pathlib import Path
 from .._errors import ModelError, UsageError
 from .._robot import SerialArm
 from .._robot.as_arm import ArmSource
+from .formats import FORMATS, SUFFIXES, format_by_suffix
+from .model_format import ModelFile, ModelFormat
 from .shipped_models import SHIPPED_MODELS
 from .suggestions import did_you_mean
 
 __all__ = ["ArmSource", "load"]
-
-_KINDS = {
-    ".urdf": "urdf",
-    ".xacro": "xacro",
-    ".toml": "dh",
-    ".xml": "xml",
-    ".mjcf": "mjcf",
-    ".sdf": "sdf",
-}
 
 
 def load(
@@ -47,7 +40,7 @@ def load(
     if isinstance(x, SerialArm):
         _refuse("an arm that is made already", base=base, tip=tip, arguments=arguments)
         return x
-    # Asked of the name, so that Pinocchio is not imported for a file that does not need it.
+    # By the type's name, so that Pinocchio is not imported for a file that does not need it.
     if type(x).__module__.partition(".")[0] == "pinocchio" and type(x).__name__ == "Model":
         from .pinocchio_model import read_pinocchio_model
 
@@ -61,82 +54,42 @@ def load(
     entry = SHIPPED_MODELS.get(x) if isinstance(x, str) else None
     if entry is None:
         path = Path(x)
-        return _read(path, _kind_of(path), str(path), base, tip, packages, arguments)
-    # The errors and reports of a shipped model say the same on every machine.
-    label = f"{entry.home}/{entry.file}"
-    base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
-    arm = _read(entry.path(), entry.kind, label, base, tip, packages, arguments)
-    return replace(arm, name=entry.name)
-
-
-def _read(
-    path: Path,
-    kind: str,
-    label: str,
-    base: str | None,
-    tip: str | None,
-    packages: Mapping[str, str | Path] | None,
-    arguments: Mapping[str, str] | None,
-) -> SerialArm:
+        form, label = _format_of(path), str(path)
+    else:
+        # The errors and reports of a shipped model say the same on every machine.
+        path, form, label = entry.path(), FORMATS[entry.kind], f"{entry.home}/{entry.file}"
+        base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
     data = _bytes(path, label)
-    if kind == "dh":
-        from .dh.dh_reader import read_dh
-
-        _refuse("a DH table", base=base, tip=tip, arguments=arguments)
-        return read_dh(data, file=label)
-    if kind == "xml":
-        kind = _kind_by_root(data, label)
-    if kind == "mjcf":
-        from .mjcf.mjcf_reader import read_mjcf
-
-        _refuse("an MJCF file", arguments=arguments)
-        return read_mjcf(data, file=label, folder=path.parent, base=base, tip=tip)
-    if kind == "sdf":
-        from .sdf.sdf_reader import read_sdf
-
-        _refuse("an SDF file", arguments=arguments)
-        return read_sdf(data, file=label, base=base, tip=tip)
-    from .urdf.urdf_reader import read_urdf
-
-    if kind == "urdf":
-        _refuse("a URDF (a xacro has arguments)", arguments=arguments)
-        return read_urdf(data, file=label, base=base, tip=tip)
-    from .ros_packages import default_packages
-    from .xacro.xacro_reader import expand_xacro
-
-    expansion = expand_xacro(
-        path,
-        arguments=arguments or {},
-        packages=default_packages().with_packages(packages or {}),
-    )
-    # Lines are those of the expanded text: what stands in them may come from any of its files.
-    return read_urdf(
-        expansion.text.encode(),
-        file=f"{label} (expanded)",
-        base=base,
-        tip=tip,
-        kind="xacro",
-        inputs=tuple(expansion.inputs),
-    )
+    arm = _read(ModelFile(path, label, data, base, tip, packages, arguments), form)
+    return arm if entry is None else replace(arm, name=entry.name)
 
 
-def _kind_by_root(data: bytes, label: str) -> str:
-    """Both MuJoCo's models and some URDFs are called .xml; the root element tells."""
+def _read(file: ModelFile, form: ModelFormat) -> SerialArm:
+    if file.path.suffix.lower() == ".xml":
+        form = _format_by_root(file)
+    given = {"base": file.base, "tip": file.tip, "arguments": file.arguments}
+    _refuse(form.noun, **{key: given[key] for key in given if key not in form.options})
+    return form.read(file)
+
+
+def _format_by_root(file: ModelFile) -> ModelFormat:
+    """Both MuJoCo's models and some URDFs are called .xml; the root element decides."""
     from lxml import etree
 
     from .xml.safe_xml import checked_root
 
-    root = checked_root(data, label)
-    kind = {"mujoco": "mjcf", "robot": "urdf"}.get(root.tag)
-    if kind is None:
+    root = checked_root(file.data, file.label)
+    known = {form.xml_root: form for form in FORMATS.values() if form.xml_root}
+    if root.tag not in known:
         raise ModelError(
             "the root element is neither MJCF's nor a URDF's",
             fix="a .xml file is <mujoco> or <robot>; an SDF is called .sdf",
-            file=label,
+            file=file.label,
             line=root.sourceline,
             element=f"<{etree.QName(root).localname}>",
+            rule="XML102",
         )
-    return kind
+    return known[root.tag]
 
 
 def _refuse(what: str, **options: object) -> None:
@@ -145,11 +98,11 @@ def _refuse(what: str, **options: object) -> None:
             raise UsageError(f"{name}= has no meaning for {what}; leave it out")
 
 
-def _kind_of(path: Path) -> str:
+def _format_of(path: Path) -> ModelFormat:
     """By the suffix.  A name without one that is no file was meant for the shipped models."""
-    kind = _KINDS.get(path.suffix.lower())
-    if kind is not None:
-        return kind
+    form = format_by_suffix(path)
+    if form is not None:
+        return form
     if not path.exists() and path.suffix == "":
         raise UsageError(
             f"no shipped model and no file is called {str(path)!r}; "
@@ -157,7 +110,7 @@ def _kind_of(path: Path) -> str:
         )
     raise ModelError(
         "is a folder" if path.is_dir() else "is no kind of file that an arm is read from",
-        fix=f"give a model's name, or a file ending in {', '.join(_KINDS)}",
+        fix=f"give a model's name, or a file ending in {', '.join(SUFFIXES)}",
         file=str(path),
     )
 

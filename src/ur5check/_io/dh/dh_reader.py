@@ -44,10 +44,11 @@ from ..._robot import (
     arm_from_dh,
 )
 from ..inertia_checks import Place, check_inertia, printed_tensor
+from ..model_format import ModelFile
 from ..printed_numbers import Printed
 from .dh_values import Table
 
-__all__ = ["SCHEMA", "read_dh"]
+__all__ = ["SCHEMA", "read_dh", "read_dh_file"]
 
 SCHEMA = "ur5check.dh/1"
 
@@ -57,6 +58,11 @@ _MOTOR = ("armature", "damping", "friction")
 _ROW = (*_NEEDED, "kind", "offset", "r", "limits", *_MOTOR, "source")
 _MOMENTS, _PRODUCTS = ("ixx", "iyy", "izz"), ("ixy", "ixz", "iyz")
 _LIMITS = ("lower", "upper", "velocity", "effort")
+
+
+def read_dh_file(file: ModelFile) -> SerialArm:
+    """The arm in a DH table.  Raises ModelError as `read_dh` does."""
+    return read_dh(file.data, file=file.label)
 
 
 def read_dh(data: bytes, *, file: str) -> SerialArm:

@@ -19,18 +19,26 @@ from ..._errors import ModelError
 from ..._robot import SerialArm, Source, Transform
 from ..._robot.transforms import Array
 from ..chain_assembly import assemble
+from ..model_format import ModelFile
 from ..world_body import chain_from_world
 from .mjcf_bodies import WORLD, Bodies, name_all
 from .mjcf_coupling import Motor, couplings, motors, refuse_couplings
 from .mjcf_text import MjcfText
 
-__all__ = ["read_mjcf"]
+__all__ = ["read_mjcf", "read_mjcf_file"]
 
 # Sections that bear on nothing here; a broken one is no fault of the dynamics.
 _LEFT_OUT = (
     "sensors", "keys", "pairs", "excludes", "skins", "hfields", "textures", "cameras", "lights",
     "numerics", "texts", "tuples", "actuators", "equalities", "tendons",
 )  # fmt: skip
+
+
+def read_mjcf_file(file: ModelFile) -> SerialArm:
+    """The arm in an MJCF.  Raises ModelError as `read_mjcf` does."""
+    return read_mjcf(
+        file.data, file=file.label, folder=file.path.parent, base=file.base, tip=file.tip
+    )
 
 
 def read_mjcf(

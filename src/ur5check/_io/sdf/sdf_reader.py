@@ -14,13 +14,19 @@ import numpy as np
 from ..._errors import ModelError
 from ..._robot import Inertia, Joint, Limits, SerialArm, Source, Transform
 from ..chain_assembly import assemble
+from ..model_format import ModelFile
 from ..urdf.urdf_chain import Edge, Tree
 from ..world_body import chain_from_world
 from .sdf_text import SdfText
 
-__all__ = ["read_sdf"]
+__all__ = ["read_sdf", "read_sdf_file"]
 
 _WORLD = "world"
+
+
+def read_sdf_file(file: ModelFile) -> SerialArm:
+    """The arm in an SDF.  Raises ModelError as `read_sdf` does."""
+    return read_sdf(file.data, file=file.label, base=file.base, tip=file.tip)
 
 
 def read_sdf(

@@ -11,12 +11,18 @@ import hashlib
 
 from ..._robot import SerialArm, Source
 from ..chain_assembly import assemble
+from ..model_format import ModelFile
 from ..xml.safe_xml import checked_xml
 from .urdf_chain import Edge
 from .urdf_checks import check_urdf
 from .urdf_values import Robot
 
-__all__ = ["read_urdf"]
+__all__ = ["read_urdf", "read_urdf_file"]
+
+
+def read_urdf_file(file: ModelFile) -> SerialArm:
+    """The arm in a URDF.  Raises ModelError as `read_urdf` does."""
+    return read_urdf(file.data, file=file.label, base=file.base, tip=file.tip)
 
 
 def read_urdf(

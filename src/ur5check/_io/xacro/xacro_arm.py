@@ -1,0 +1,29 @@
+"""A xacro to a `SerialArm`: expanded, then read as a URDF."""
+
+from __future__ import annotations
+
+from ..._robot.serial_arm import SerialArm
+from ..model_format import ModelFile
+from ..ros_packages import default_packages
+from ..urdf.urdf_reader import read_urdf
+from .xacro_reader import expand_xacro
+
+__all__ = ["read_xacro_file"]
+
+
+def read_xacro_file(file: ModelFile) -> SerialArm:
+    """The arm in a xacro.  Raises ModelError as `expand_xacro` and `read_urdf` do."""
+    expansion = expand_xacro(
+        file.path,
+        arguments=file.arguments or {},
+        packages=default_packages().with_packages(file.packages or {}),
+    )
+    # Lines are those of the expanded text: what stands in them may come from any of its files.
+    return read_urdf(
+        expansion.text.encode(),
+        file=f"{file.label} (expanded)",
+        base=file.base,
+        tip=file.tip,
+        kind="xacro",
+        inputs=tuple(expansion.inputs),
+    )
