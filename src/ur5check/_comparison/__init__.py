@@ -1,1 +1,1 @@
-"""Why two arms differ: first the same axes, then the same frames, then whose number it is."""
+"""Two arms compared: alignment of axes, difference of torques, attribution to parameters."""

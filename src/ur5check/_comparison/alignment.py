@@ -5,14 +5,14 @@ transform X = T_ab, a sign s_i and a zero offset o_i for each joint, with
 
     q_b = s ∘ q_a + o     and     X · T_b,i(q_b)  carrying the same axis lines as  T_a,i(q_a).
 
-`walk` finds every way to do so; here the one to believe is chosen and measured.
+`alignment_paths` finds every way to do so; here one is chosen and measured.
 
-What axes cannot tell is said, not guessed in silence: the zero of joint 1 and a turn of the base
+What axes cannot determine is reported in `unknown`: the zero of joint 1 and a turn of the base
 about axis 1 are one freedom (it is given to the base, unless only the joint's zero keeps gravity
 the same); the last joint's zero shows in the tool frame alone.
 
 Among alignments that fit equally well the one that changes least is taken: gravity kept, tool
-frame met, fewest joints reversed or shifted, smallest offsets.
+frame the same, fewest joints reversed or shifted, smallest offsets.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from .alignment_paths import (
     NEAR_ANGLE,
     NEAR_LENGTH,
     AlignmentPath,
+    alignment_paths,
     as_written,
     met_at_the_tool,
-    walks,
 )
 from .joint_axes import across, joint_starts, signed_angle, smallest_rotation, tool_pose
 
@@ -63,8 +63,8 @@ class Alignment:
     axis_angle, axis_distance : what is left between corresponding axes at q_a = 0, shape (n,)
         [rad], [m]; a sliding joint's axis has a direction only
     tool : pose of b's tool in a's tool frame at q_a = 0
-    unknown : what the axes could not tell, in sentences
-    notes : what else a reader should know, in sentences
+    unknown : what the axes could not determine, in sentences
+    notes : a near miss, in a sentence
     """
 
     T_ab: Transform
@@ -83,7 +83,7 @@ def align(a: SerialArm, b: SerialArm) -> Alignment:
 
     When no alignment makes the axes the same lines, joint coordinates are taken as they stand
     (signs +1, offsets 0), only the base is turned to fit, and `exact` is False: then the two arms
-    differ in geometry, and the residuals say where.
+    differ in geometry, and the residuals show where.
 
     Raises UsageError if the arms have different numbers or kinds of joints.
     """
@@ -99,7 +99,7 @@ def align(a: SerialArm, b: SerialArm) -> Alignment:
 
 
 def align_as_written(a: SerialArm, b: SerialArm) -> Alignment:
-    """Arm b laid on a with its joint angles as they stand; `exact` if the axes coincide."""
+    """Arm b aligned with its joint angles as they stand; `exact` if the axes coincide."""
     _refuse_incomparable(a, b)
     written = _finish(a, b, next(as_written(a, b)), exact=False)
     fits = written.axis_angle.max() <= SAME_ANGLE and written.axis_distance.max() <= SAME_LENGTH
@@ -159,25 +159,25 @@ def _refuse_incomparable(a: SerialArm, b: SerialArm) -> None:
 
 def _best(a: SerialArm, b: SerialArm, angle: float, length: float) -> Alignment | None:
     """The fitting alignment that changes least, if there is one."""
-    fitting = islice(walks(a, b, angle, length), _MOST_SOLUTIONS)
-    found = [_finish(a, b, walk, exact=True) for walk in fitting]
+    fitting = islice(alignment_paths(a, b, angle, length), _MOST_SOLUTIONS)
+    found = [_finish(a, b, path, exact=True) for path in fitting]
     found += [_turned_at_joint_1(a, b, alignment) for alignment in found]
     return min(found, key=lambda alignment: _cost(a, b, alignment), default=None)
 
 
-def _finish(a: SerialArm, b: SerialArm, walk: AlignmentPath, *, exact: bool) -> Alignment:
+def _finish(a: SerialArm, b: SerialArm, path: AlignmentPath, *, exact: bool) -> Alignment:
     """What only the tool shows, then everything measured on the arms themselves."""
-    unknown = walk.unknown
+    unknown = path.unknown
     angle = 0.0
     if exact:
-        walk, angle, said = met_at_the_tool(a, b, walk)
-        unknown += said
-    offsets = np.array([*walk.offsets, angle]) + walk.slid[3:]
+        path, angle, undetermined = met_at_the_tool(a, b, path)
+        unknown += undetermined
+    offsets = np.array([*path.offsets, angle]) + path.slid[3:]
     T = b.base
     for joint, link, offset in zip(b.joints[:-1], b.links[:-1], offsets[:-1], strict=True):
         T = T @ joint.motion(offset) @ link.link_tip_frame
-    X = walk.here @ T.inverse()
-    return _measured(a, b, X, np.array(walk.signs), _wrapped(b, offsets), exact, unknown)
+    X = path.here @ T.inverse()
+    return _measured(a, b, X, np.array(path.signs), _wrapped(b, offsets), exact, unknown)
 
 
 def _measured(
@@ -227,7 +227,7 @@ def _turned_at_joint_1(a: SerialArm, b: SerialArm, found: Alignment) -> Alignmen
 
 
 def _cost(a: SerialArm, b: SerialArm, alignment: Alignment) -> tuple[float, ...]:
-    """What an alignment asks us to believe, worst first."""
+    """How much an alignment changes, the gravest change first."""
     down_a, down_b = a.gravity, alignment.T_ab.R @ b.gravity
     tilted = np.linalg.norm(np.cross(down_a, down_b)) > 1e-6 * np.linalg.norm(down_a) * (
         np.linalg.norm(down_b)
@@ -266,7 +266,7 @@ def _wrapped(b: SerialArm, offsets: Array) -> Array:
     """Angles in (−π, π], taken as the quarter turns that they all but are; slides untouched.
 
     A joint's zero that is off by less than SAME_ANGLE is a rounded angle in a file.  It stays with
-    the geometry, where the error budget of the digits looks for it, and is no offset.
+    the geometry, where the error budget of rounding looks for it, and is no offset.
     """
     values = []
     for joint, offset in zip(b.joints, offsets, strict=True):

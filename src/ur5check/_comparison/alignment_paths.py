@@ -1,10 +1,10 @@
-"""Laying one arm along another, axis by axis: every way in which the axes become the same lines.
+"""All alignments of two arms, axis by axis: every way in which the axes become the same lines.
 
 With the axes 1 … i of arm b in place, joint i can still turn, and the angle that brings axis i + 1
 onto its counterpart is that joint's zero offset.  Where two consecutive axes meet at right angles,
-axis i + 1 fits either way round, and both ways are followed.  Directions in which everything found
-so far may still slide (along parallel axes, or along a sliding joint) are kept as `FreeTranslation`
-until a later axis takes them up.
+axis i + 1 fits either way round, and both ways are followed.  Translations that leave
+everything found so far in place (along parallel axes, or along a sliding joint) are kept as
+`FreeTranslation` until a later axis determines them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,14 @@ from .joint_axes import (
     tool_pose,
 )
 
-__all__ = ["NEAR_ANGLE", "NEAR_LENGTH", "AlignmentPath", "as_written", "met_at_the_tool", "walks"]
+__all__ = [
+    "NEAR_ANGLE",
+    "NEAR_LENGTH",
+    "AlignmentPath",
+    "alignment_paths",
+    "as_written",
+    "met_at_the_tool",
+]
 
 #: Below this two axes may be one and the same, or parallel: no zero is read off so small a lever.
 #: Also what counts as *nearly* one line: a rounding such as 1.5707 for π/2 (1e-4 rad), or a length
@@ -42,19 +49,19 @@ class FreeTranslation:
     """Translations that would leave every axis found so far where it is.
 
     directions : (3, k), in a's base frame
-    owners : (3 + n, k), what one unit of each direction means: a shift of the base, an offset of a
-        sliding joint
+    meanings : (3 + n, k), what one unit of each direction means: a shift of the base, an offset of
+        a sliding joint
     """
 
     directions: Array
-    owners: Array
+    meanings: Array
 
     def taken_up(
         self, gap: Array, along: Array | None = None
     ) -> tuple[FreeTranslation, Array, Array]:
         """Close `gap` as far as sliding can; a gap along the axis `along` is none.
 
-        Returns the slack that is left, the translation made, and what it means (3 + n,).
+        Returns the free translation that remains, the translation made, and its meaning (3 + n,).
         """
         seen_part = np.eye(3) if along is None else np.eye(3) - np.outer(along, along)
         seen = seen_part @ self.directions
@@ -62,21 +69,21 @@ class FreeTranslation:
         rank = int((sizes > 1e-9).sum())  # directions are unit vectors: parallel means rounding
         y = vt[:rank].T @ ((u[:, :rank].T @ (seen_part @ gap)) / sizes[:rank])
         rest = vt[rank:].T
-        left = FreeTranslation(self.directions @ rest, self.owners @ rest)
-        return left, self.directions @ y, self.owners @ y
+        left = FreeTranslation(self.directions @ rest, self.meanings @ rest)
+        return left, self.directions @ y, self.meanings @ y
 
     def with_slide(self, direction: Array, joint: int) -> FreeTranslation:
-        """This slack, and a sliding joint's own."""
-        owner = np.zeros(len(self.owners))
-        owner[3 + joint] = 1.0
+        """This free translation, and a sliding joint's own."""
+        meaning = np.zeros(len(self.meanings))
+        meaning[3 + joint] = 1.0
         return FreeTranslation(
-            np.column_stack([self.directions, direction]), np.column_stack([self.owners, owner])
+            np.column_stack([self.directions, direction]), np.column_stack([self.meanings, meaning])
         )
 
 
 @dataclass(frozen=True, eq=False)
 class AlignmentPath:
-    """Arm b laid along arm a as far as joint i.
+    """Arm b aligned with arm a as far as joint i.
 
     here : the frame that joint i of b starts from, in a's base frame
     """
@@ -85,20 +92,22 @@ class AlignmentPath:
     signs: tuple[float, ...]
     offsets: tuple[float, ...]
     free_translation: FreeTranslation
-    slid: Array  # (3 + n,): what has been taken up, by owner
+    slid: Array  # (3 + n,): translation made so far, as shifts of the base and joint offsets
     unknown: tuple[str, ...]
 
 
-def walks(a: SerialArm, b: SerialArm, angle: float, length: float) -> Iterator[AlignmentPath]:
-    """Every way to lay b along a with all axes within the tolerances."""
+def alignment_paths(
+    a: SerialArm, b: SerialArm, angle: float, length: float
+) -> Iterator[AlignmentPath]:
+    """Every alignment of b with a that has all axes within the tolerances."""
     targets = joint_starts(a)
 
-    def onward(walk: AlignmentPath, i: int) -> Iterator[AlignmentPath]:
-        """`walk` has the axes up to i in place; joint i's zero is still open."""
+    def onward(path: AlignmentPath, i: int) -> Iterator[AlignmentPath]:
+        """All ends of a path that has the axes up to i in place; joint i's zero is still free."""
         if i + 1 == b.n:
-            yield walk
+            yield path
             return
-        for turned in _turns(a, b, walk, i, targets):
+        for turned in _turns(a, b, path, i, targets):
             placed = _place(a, b, turned, i + 1, targets)
             off_angle, off_length = _gap(a, b, placed, i + 1, targets)
             if off_angle <= angle and off_length <= length:
@@ -109,20 +118,20 @@ def walks(a: SerialArm, b: SerialArm, angle: float, length: float) -> Iterator[A
 
 
 def as_written(a: SerialArm, b: SerialArm) -> Iterator[AlignmentPath]:
-    """Arm b laid on a as its joint coordinates stand: only the base is fitted, to axes 1 and 2."""
+    """Arm b aligned with its joint coordinates as written: the base is fitted to axes 1 and 2."""
     targets = joint_starts(a)
-    walk = _start(a, b, 1.0, targets)
+    path = _start(a, b, 1.0, targets)
     if b.n > 1:
-        walk = next(_turns(a, b, walk, 0, targets))
-        walk = replace(walk, signs=(1.0, 1.0))
+        path = next(_turns(a, b, path, 0, targets))
+        path = replace(path, signs=(1.0, 1.0))
         for i in range(1, b.n):
             if i > 1:
-                here = walk.here @ b.links[i - 1].link_tip_frame
-                walk = replace(
-                    walk, here=here, signs=(*walk.signs, 1.0), offsets=(*walk.offsets, 0.0)
+                here = path.here @ b.links[i - 1].link_tip_frame
+                path = replace(
+                    path, here=here, signs=(*path.signs, 1.0), offsets=(*path.offsets, 0.0)
                 )
-            walk = _place(a, b, walk, i, targets)
-    yield walk
+            path = _place(a, b, path, i, targets)
+    yield path
 
 
 def _start(a: SerialArm, b: SerialArm, sign: float, targets: list[Transform]) -> AlignmentPath:
@@ -132,49 +141,49 @@ def _start(a: SerialArm, b: SerialArm, sign: float, targets: list[Transform]) ->
     # Slide along the axis is open; start with both base origins at the same height along it.
     origin = targets[0].p - rotation.R @ b.base.p
     X = Transform(rotation.R, origin - axis * (axis @ origin))
-    owners = np.zeros((3 + b.n, 1))
+    meanings = np.zeros((3 + b.n, 1))
     directions = axis[:, None]
     if b.joints[0].kind == "prismatic":  # no line at all, only a direction
-        directions, owners = np.eye(3), np.zeros((3 + b.n, 3))
+        directions, meanings = np.eye(3), np.zeros((3 + b.n, 3))
         X = rotation
-    owners[:3] = directions
+    meanings[:3] = directions
     return AlignmentPath(
-        X @ b.base, (sign,), (), FreeTranslation(directions, owners), np.zeros(3 + b.n), ()
+        X @ b.base, (sign,), (), FreeTranslation(directions, meanings), np.zeros(3 + b.n), ()
     )
 
 
 def _turns(
-    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
+    a: SerialArm, b: SerialArm, path: AlignmentPath, i: int, targets: list[Transform]
 ) -> Iterator[AlignmentPath]:
-    """Joint i of b turned so that what follows points as in a; the walk moves on to joint i + 1."""
+    """Joint i of b turned so that what follows points as in a; the path advances to joint i + 1."""
     joint = b.joints[i]
     if joint.kind == "prismatic" and i > 0:
-        direction = walk.here.R @ joint.axis
-        free_translation = walk.free_translation.with_slide(direction, i)
-        yield _arrived(a, b, replace(walk, free_translation=free_translation), i, 0.0, targets)
+        direction = path.here.R @ joint.axis
+        free_translation = path.free_translation.with_slide(direction, i)
+        yield _arrived(a, b, replace(path, free_translation=free_translation), i, 0.0, targets)
         return
-    angles, certain = _zeros(a, b, walk, i, targets)
+    angles, certain = _zeros(a, b, path, i, targets)
     for angle in angles:
-        yield _arrived(a, b, walk, i, angle, targets)
+        yield _arrived(a, b, path, i, angle, targets)
     if not certain:
         sentence = (
             f"the zero of joint {i + 1} ({a.joints[i].name}): it turns about the axis of the next, "
             "only their sum shows"
         )
-        unsure = replace(walk, unknown=(*walk.unknown, sentence))
+        unsure = replace(path, unknown=(*path.unknown, sentence))
         yield _arrived(a, b, unsure, i, 0.0, targets)
 
 
 def _zeros(
-    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
+    a: SerialArm, b: SerialArm, path: AlignmentPath, i: int, targets: list[Transform]
 ) -> tuple[list[float], bool]:
     """Angles of joint i that may bring what follows into place, and whether one of them must.
 
     A following axis that points elsewhere shows the angle, either way round; one that is parallel
     shows it by where it stands.  A lever of less than a milliradian or a millimetre shows it badly
-    and may be a rounded digit: such angles are offered, and the axes that follow decide.
+    and may be a rounded digit: such angles are candidates, and the axes that follow decide.
     """
-    axis, back, ahead = b.joints[i].axis, walk.here.inverse(), Transform.identity()
+    axis, back, ahead = b.joints[i].axis, path.here.inverse(), Transform.identity()
     angles: list[float] = []
     for k in range(i + 1, b.n):
         ahead = ahead @ b.links[k - 1].link_tip_frame
@@ -203,75 +212,80 @@ def _shorter(u: Array, v: Array) -> float:
 
 
 def _arrived(
-    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, angle: float, targets: list[Transform]
+    a: SerialArm, b: SerialArm, path: AlignmentPath, i: int, angle: float, targets: list[Transform]
 ) -> AlignmentPath:
-    """The walk at joint i + 1, with the sign that its axis turned out to have.
+    """The path at joint i + 1, with the sign of that joint's axis.
 
-    What joint 1 had to turn, the base turns instead: the axis is the same.
+    A turn of joint 1 is given to the base instead: the axis is the same.
     """
     moved = Transform.rotation(b.joints[i].axis, angle)
-    here = walk.here @ moved @ b.links[i].link_tip_frame
+    here = path.here @ moved @ b.links[i].link_tip_frame
     along = (here.R @ b.joints[i + 1].axis) @ (targets[i + 1].R @ a.joints[i + 1].axis)
     sign = 1.0 if along >= 0.0 else -1.0
     return replace(
-        walk,
+        path,
         here=here,
-        signs=(*walk.signs, sign),
-        offsets=(*walk.offsets, angle if i > 0 else 0.0),
+        signs=(*path.signs, sign),
+        offsets=(*path.offsets, angle if i > 0 else 0.0),
     )
 
 
 def _place(
-    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
+    a: SerialArm, b: SerialArm, path: AlignmentPath, i: int, targets: list[Transform]
 ) -> AlignmentPath:
-    """Let the slack carry axis i onto its counterpart as far as it can."""
+    """Use the free translation to bring axis i onto its counterpart as far as possible."""
     if b.joints[i].kind == "prismatic":
-        return walk
+        return path
     along = targets[i].R @ a.joints[i].axis
-    free_translation, shift, meaning = walk.free_translation.taken_up(
-        targets[i].p - walk.here.p, along
+    free_translation, shift, meaning = path.free_translation.taken_up(
+        targets[i].p - path.here.p, along
     )
-    here = Transform(walk.here.R, walk.here.p + shift)
-    return replace(walk, here=here, free_translation=free_translation, slid=walk.slid + meaning)
+    here = Transform(path.here.R, path.here.p + shift)
+    return replace(path, here=here, free_translation=free_translation, slid=path.slid + meaning)
 
 
 def _gap(
-    a: SerialArm, b: SerialArm, walk: AlignmentPath, i: int, targets: list[Transform]
+    a: SerialArm, b: SerialArm, path: AlignmentPath, i: int, targets: list[Transform]
 ) -> tuple[float, float]:
-    """Angle [rad] and distance [m] between axis i of b, as laid, and axis i of a."""
-    u = walk.signs[i] * (walk.here.R @ b.joints[i].axis)
+    """Angle [rad] and distance [m] between axis i of b, as aligned, and axis i of a."""
+    u = path.signs[i] * (path.here.R @ b.joints[i].axis)
     t = targets[i].R @ a.joints[i].axis
     angle = float(np.arctan2(np.linalg.norm(np.cross(u, t)), u @ t))
     if b.joints[i].kind == "prismatic":
         return angle, 0.0
-    return angle, float(np.linalg.norm(across(walk.here.p - targets[i].p, t)))
+    return angle, float(np.linalg.norm(across(path.here.p - targets[i].p, t)))
 
 
 def met_at_the_tool(
-    a: SerialArm, b: SerialArm, walk: AlignmentPath
+    a: SerialArm, b: SerialArm, path: AlignmentPath
 ) -> tuple[AlignmentPath, float, tuple[str, ...]]:
-    """The last joint's zero, and the last slack, if there is a common tool frame to show them."""
+    """The last joint's zero and the last free translation, from a common tool frame if any."""
     last, joint, P = b.n - 1, b.joints[-1], b.links[-1].link_tip_frame
     tool_a = tool_pose(a)
     rotation = Transform.identity()
     if joint.kind == "revolute" or last == 0:
-        angle = tool_angle(walk.here.R @ joint.axis, walk.here @ P, tool_a)
+        angle = tool_angle(path.here.R @ joint.axis, path.here @ P, tool_a)
         rotation = Transform.rotation(joint.axis, angle)
-    free_translation = walk.free_translation
+    free_translation = path.free_translation
     if joint.kind == "prismatic" and last > 0:
-        free_translation = free_translation.with_slide(walk.here.R @ joint.axis, last)
+        free_translation = free_translation.with_slide(path.here.R @ joint.axis, last)
     free_translation, shift, meaning = free_translation.taken_up(
-        tool_a.p - (walk.here @ rotation @ P).p
+        tool_a.p - (path.here @ rotation @ P).p
     )
-    rest = tool_a.inverse() @ Transform.translation(shift) @ walk.here @ rotation @ P
+    rest = tool_a.inverse() @ Transform.translation(shift) @ path.here @ rotation @ P
     if rest.angle() > NEAR_ANGLE or np.linalg.norm(rest.p) > NEAR_LENGTH:
-        said = f"the zero of joint {b.n} ({a.joints[last].name})"
-        if walk.free_translation.directions.shape[1]:
-            said += " and a shift along parallel axes"
-        return walk, 0.0, (f"{said}: only a common tool frame shows it, and these arms have none",)
-    own = walk.here.R @ joint.axis * meaning[3 + last]  # the last joint's slide moves its link only
-    here = Transform(walk.here.R, walk.here.p + shift - own)
-    met = replace(walk, here=here, free_translation=free_translation, slid=walk.slid + meaning)
+        unknown = f"the zero of joint {b.n} ({a.joints[last].name})"
+        if path.free_translation.directions.shape[1]:
+            unknown += " and a shift along parallel axes"
+        unknown += ": only a common tool frame shows it, and these arms have none"
+        return (
+            path,
+            0.0,
+            (unknown,),
+        )
+    own = path.here.R @ joint.axis * meaning[3 + last]  # the last joint's slide moves its link only
+    here = Transform(path.here.R, path.here.p + shift - own)
+    met = replace(path, here=here, free_translation=free_translation, slid=path.slid + meaning)
     if last == 0:  # a single joint: its zero and a turn of the base are one freedom
         return replace(met, here=here @ rotation), 0.0, ()
     return met, (signed_angle(rotation.R, joint.axis) if joint.kind == "revolute" else 0.0), ()

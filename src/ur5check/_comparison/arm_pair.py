@@ -35,9 +35,9 @@ class Pair:
     given_b : the second, as given
     alignment : how b was brought there
     link_maps : for each link, the transform from b's link frame to a's in which the two links'
-        inertias are held against each other, T_{a,i ← b,i}
-    number_by_number : whether both sources put their frames by one recipe and are held against
-        each other as they are written, wherever their frames stand in space
+        inertias are compared, T_{a,i ← b,i}
+    number_by_number : whether both sources place their frames by one rule and are compared as they
+        are written, wherever their frames stand in space
     """
 
     a: SerialArm
@@ -110,7 +110,7 @@ def _paired(a: SerialArm, b: SerialArm, alignment: Alignment, as_written: bool) 
 
 
 def _maps_as_written(a: SerialArm, b: SerialArm) -> tuple[Transform, ...]:
-    """Source frames made by the same recipe are taken as the same, wherever they stand in space:
+    """Source frames placed by the same rule are taken as the same, wherever they stand in space:
     a wrong length then counts as geometry, and not as a wrong centre of mass too."""
     return tuple(
         la.source_frame @ lb.source_frame.inverse() for la, lb in zip(a.links, b.links, strict=True)

@@ -1,13 +1,13 @@
-"""Whose newton metres are they?  A torque difference split exactly among its owners.
+"""Attribution: a torque difference split exactly among geometry, gravity and parameters.
 
 Three things make τ_a and τ_b differ at the same state: the geometry of the chain (K), gravity (G)
-and the inertial parameters (π).  Each one's share is `shares.shares` of τ(K, G, π).  Torque is
+and the inertial parameters (π).  Each one's share is `shapley.shares` of τ(K, G, π).  Torque is
 linear in π, so the last share is a regressor, averaged with the same weights, times π_a − π_b:
 
     Δτ = share(K) + share(G) + Ȳ (π_a − π_b)
 
-which splits further, parameter by parameter, with nothing left over.  A link's ten parameters are
-not what people write down, though: they write mass, centre of mass and a tensor about that centre.
+which splits further, parameter by parameter, without residual.  Files do not give a link's ten
+parameters, though, but mass, centre of mass and a tensor about that centre.
 Δπ is therefore split again by `shares` of π(m, c, I_c).
 """
 
@@ -35,14 +35,14 @@ ContributionKind = Literal[
     "geometry", "gravity", "motor inertia", "mass", "centre of mass", "tensor",
     "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
 ]  # fmt: skip
-#: `arm.PARAMETERS` as owners: what `attribution_detail.by_parameter` splits among.
+#: `inertia.PARAMETERS` as contributions: what `attribution_detail.by_parameter` splits among.
 PARAMETER_CONTRIBUTIONS: tuple[ContributionKind, ...] = (
     "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
 )  # fmt: skip
 #: Two torques, each rounded some 32 times a joint by ε of the largest.
 _ROUNDING = 64 * float(np.finfo(np.float64).eps)
 
-#: Owners whose parts add up to more than this many times the difference work against each other.
+#: Contributions that add up to more than this many times the difference cancel each other.
 _CANCELS = 3.0
 
 _INERTIAL: tuple[ContributionKind, ...] = ("mass", "centre of mass", "tensor")
@@ -58,10 +58,10 @@ class Contribution:
 
 @dataclass(frozen=True, eq=False)
 class Attribution:
-    """Δτ = τ_a − τ_b at N states, split among K owners.
+    """Δτ = τ_a − τ_b at N states, split into K contributions.
 
     delta : shape (N, n) [N m]
-    torque : each owner's part, shape (K, N, n) [N m]
+    torque : each contribution, shape (K, N, n) [N m]
     rounding : what rounding alone makes of a difference [N m]
     """
 
@@ -72,18 +72,18 @@ class Attribution:
 
     @property
     def remainder(self) -> Array:
-        """What no owner explains, shape (N, n) [N m]: rounding, or an error of ours."""
+        """The residual of the attribution, shape (N, n) [N m]: rounding only, or a defect."""
         return np.asarray(self.delta - self.torque.sum(axis=0))
 
     def rms(self) -> Array:
-        """Root mean square over the states, per owner and joint, shape (K, n) [N m]."""
+        """Root mean square over the states, per contribution and joint, shape (K, n) [N m]."""
         return np.asarray(np.sqrt((self.torque**2).mean(axis=1)))
 
     def share(self) -> Array:
-        """Part of the mean square difference that each owner makes, shape (K,); they sum to 1.
+        """Part of the mean square difference of each contribution, shape (K,); they sum to 1.
 
-        ⟨t_k, Δτ⟩ / ⟨Δτ, Δτ⟩ over states and joints: negative for an owner that works against the
-        others.  All zero where there is no difference but rounding, which nobody owns.
+        ⟨t_k, Δτ⟩ / ⟨Δτ, Δτ⟩ over states and joints: negative for a contribution that works
+        against the others.  All zero where there is no difference but rounding.
         """
         if float(np.abs(self.delta).max()) <= self.rounding:
             return np.zeros(len(self.contributions))
@@ -91,11 +91,11 @@ class Attribution:
         return np.asarray((self.torque * self.delta).sum(axis=(1, 2)) / power)
 
     def weight(self) -> Array:
-        """Size of each owner's part as a share of all parts' sizes, shape (K,); they sum to 1.
+        """Size of each contribution as a share of all sizes, shape (K,); they sum to 1.
 
-        RMS_k / Σ RMS_j over states and joints, in [0, 1] whoever cancels whom: where two owners of
-        10 N m leave a difference of 1 N m, shares say 500 % and −400 %, weights say half each.  All
-        zero where there is no difference but rounding in any part.
+        RMS_k / Σ RMS_j over states and joints, in [0, 1] whatever cancels: where two contributions
+        of 10 N m leave a difference of 1 N m, shares say 500 % and −400 %, weights say half each.
+        All zero where there is no difference but rounding in any part.
         """
         if float(np.abs(self.torque).max()) <= self.rounding:
             return np.zeros(len(self.contributions))
@@ -104,8 +104,8 @@ class Attribution:
 
     @property
     def cancels(self) -> bool:
-        """Whether the parts' RMS add up to more than _CANCELS times the RMS of Δτ: then rank owners
-        by `weight`, since `share` ranks what is left after they cancelled."""
+        """Whether the contributions' RMS add up to more than _CANCELS times that of Δτ: then rank
+        them by `weight`, since `share` ranks what is left after they cancelled."""
         if float(np.abs(self.torque).max()) <= self.rounding:
             return False
         sizes = np.sqrt((self.torque**2).mean(axis=(1, 2)))
@@ -113,7 +113,7 @@ class Attribution:
 
 
 def attribute(pair: Pair, states: States) -> Attribution:
-    """Split the torque difference of a pair of arms, at every state, among its owners."""
+    """Split the torque difference of a pair of arms, at every state, into contributions."""
     q, qd, qdd = states.q, states.qd, states.qdd
     # Two arms mostly stand under one gravity, and then half of the choices are the other half.
     one_gravity = np.array_equal(pair.a.gravity, pair.b.gravity)
@@ -127,11 +127,11 @@ def attribute(pair: Pair, states: States) -> Attribution:
         return torque_of(_side(geometry), _side(gravity or one_gravity), _side(inertias))
 
     geometry_share, gravity_share, _ = shares(torque, 3)
-    # A motor sits in its joint, and so came along with the geometry: it is an owner of its own.
+    # A motor's inertia belongs to its joint, and so to the geometry so far: it is split off.
     motors = (pair.a.armature - pair.b.armature) * qdd
     geometry_share = geometry_share - motors
     inertial = np.zeros((3 * pair.a.n, *q.shape))
-    dpi = _inertial_differences(pair)  # (n links, 3 owners, 10), in a's link frames
+    dpi = _inertial_differences(pair)  # (n links, 3 contributions, 10), in a's link frames
     weights: defaultdict[tuple[Side, Side], float] = defaultdict(float)
     for geometry, gravity in product((True, False), repeat=2):
         chosen = _side(geometry), _side(gravity or one_gravity)
@@ -154,7 +154,7 @@ def attribute(pair: Pair, states: States) -> Attribution:
 
 
 def _per_link(Y: Array, dpi: Array, pair: Pair, geometry: Side) -> list[Array]:
-    """Y Δπ of every owner, shape (3, N, n) a link; Δπ is taken to the frames of Y first."""
+    """Y Δπ of every contribution, shape (3, N, n) a link; Δπ is taken to the frames of Y first."""
     parts = []
     for i, T in enumerate(pair.link_maps):
         columns = Y[..., 10 * i : 10 * i + 10]

@@ -28,11 +28,12 @@ class TermAttribution:
 
 
 def by_parameter(pair: Pair, states: States) -> Attribution:
-    """Split Δτ among geometry, gravity, motors and each of the 10 n parameters: 10 n + 3 owners.
+    """Split Δτ among geometry, gravity, motors and each of the 10 n parameters.
 
-    Owners of kind "m", "mx", … "Izz" hold Ȳ_k (π_a − π_b)_k, with Ȳ averaged over both sides'
-    geometry and gravity as in `attribute`.  Parameters are held in a's link frames, and their parts
-    depend on them: a centre of mass that is off shows in mx and in the tensor about the origin.
+    Contributions of kind "m", "mx", … "Izz" hold Ȳ_k (π_a − π_b)_k, with Ȳ averaged over both
+    sides' geometry and gravity as in `attribute`.  Parameters are held in a's link frames, and
+    their parts depend on them: a centre of mass that is off shows in mx and in the tensor about the
+    origin.
     """
     q, qd, qdd = states.q, states.qd, states.qdd
     Y = np.zeros((*q.shape, 10 * pair.a.n))
@@ -57,11 +58,11 @@ def by_parameter(pair: Pair, states: States) -> Attribution:
 
 
 def by_term(pair: Pair, states: States) -> TermAttribution:
-    """Split Δτ into the terms of the equation of motion, each among the owners of `attribute`.
+    """Split Δτ into the terms of the equation of motion, and each of them as `attribute` does.
 
     τ(q, 0, 0) is gravity's, τ(q, q̇, 0) without gravity the Coriolis and centrifugal term's,
     τ(q, 0, q̈) without gravity the inertial term's; torque is the sum of the three, and so is every
-    owner's part.
+    contribution.
     """
     rest = np.zeros_like(states.q)
     weightless = replace(

@@ -1,4 +1,4 @@
-"""`ur5check.diff`: what differs between two arms, by how much, and whose it is."""
+"""`ur5check.diff`: what differs between two arms, by how much, and from which parameters."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Difference:
     pair : both arms, in a's joint coordinates
     states, seed : where the torques were compared
     tool : forward kinematics;  parameters : link by link;  torques : per joint
-    attribution : whose the torque difference is, at every state
+    attribution : the torque difference split among parameters, at every state
     """
 
     pair: Pair
@@ -58,11 +58,11 @@ def diff(
     seed: int = 0,
     gravity: ArrayLike | None = None,
 ) -> Difference:
-    """Compare two arms: geometry, inertias, torques, and whose every newton metre is.
+    """Compare two arms: geometry, inertias, torques, and the attribution of the difference.
 
     Parameters
     ----------
-    a, b : a list of mistakes name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    a, b : the name of a shipped model, a path, a `pin.Model` or a `SerialArm` (see `load`)
     samples, seed : how many random states, drawn from which seed (see `random_states`)
     gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
 

@@ -26,8 +26,9 @@ class Explanation:
     """A difference, explained.
 
     terms : the attribution, split into gravity, Coriolis and inertial torque
-    identifiability, equivalence : what torque cannot see of arm a, and whether that is all
-    budget : what rounded digits cost;  diagnosis : known mistakes, with evidence
+    identifiability, equivalence : the identifiable parameters of arm a, and whether the arms
+        differ only in others
+    budget : torque error due to rounding;  diagnosis : known mistakes, with evidence
     worst : the states of largest disagreement
     plausible_a, plausible_b : what is odd about either arm's bodies
     """
@@ -49,7 +50,7 @@ def explain(
     acceleration: float = MAX_ACCELERATION,
     progress: Callable[[str], None] | None = None,
 ) -> Explanation:
-    """Say why two arms differ: which mistake, whose newton metres, where it is worst.
+    """Why two arms differ: known mistakes, attribution, what is identifiable, the worst case.
 
     Parameters
     ----------
@@ -64,14 +65,14 @@ def explain(
     few = _first(difference.states, _EVIDENCE)
     say("looking for known mistakes")
     diagnosis = diagnose(pair, few)
-    say("splitting the difference: terms, digits, what torque cannot see")
+    say("splitting the difference: terms, rounding, identifiability")
     identifiability = identify(pair.a, seed=seed)
     terms = by_term(pair, few)
     digits = budget(pair, few)
     equivalent = equivalence(pair, few, identifiability)
     say("searching for the worst case")
     worst = worst_cases(pair, seed=seed, acceleration=acceleration)
-    say("weighing the bodies")
+    say("checking the bodies")
     return Explanation(
         difference,
         terms,

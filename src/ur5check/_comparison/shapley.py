@@ -1,4 +1,4 @@
-"""Splitting a difference fairly among the things that changed.
+"""Shapley's average: a difference split among the factors that changed.
 
 A value f depends on several factors, and each can be taken from side a or from side b.  Changing
 one factor after another from b to a splits f(a, …, a) − f(b, …, b) exactly, but the split depends

@@ -1,1 +1,1 @@
-"""What torque can tell of an arm's numbers, and what it never can."""
+"""Which inertial parameters of an arm motion and torque identify."""

@@ -1,7 +1,7 @@
-"""Different numbers, same dynamics: are two arms apart only in what torque cannot see?
+"""Different numbers, same dynamics: do two arms differ only in parameters without effect on torque?
 
-A parameter difference Δπ is split into a part that the base parameters carry, which torque sees,
-and a part in the null space, which it does not:
+A parameter difference Δπ is split into a part that the base parameters hold, which changes torque,
+and a part in the null space, which does not:
 
     visible[base] = Δπ[base] + β Δπ[dependent],   visible[dependent] = 0,   invisible = Δπ − visible
 """
@@ -22,7 +22,7 @@ from .identifiability import Identifiability, identify
 
 __all__ = ["TOLERANCE", "Equivalence", "VisibleSplit", "equivalence", "split"]
 
-#: Part of the largest torque that no two careful models agree on: `difference.SAME_TORQUE`, written
+#: Part of the largest torque up to which two models agree: `difference.SAME_TORQUE`, written
 #: here again because `difference` stands above this file.  A test holds the two equal.
 TOLERANCE = 1e-6
 
@@ -31,7 +31,7 @@ _SAME_NUMBER = 1e-12  # of the largest parameter: rounding of a change of frames
 
 @dataclass(frozen=True, eq=False)
 class VisibleSplit:
-    """A parameter difference Δπ as what torque sees of it and what it does not.
+    """A parameter difference Δπ as a part that changes torque and one that does not.
 
     visible : held by base parameters alone;  invisible : in the null space; both shape (10 n,),
         and their sum is Δπ to rounding
@@ -45,7 +45,7 @@ class VisibleSplit:
 
 @dataclass(frozen=True, eq=False)
 class Equivalence:
-    """How arm b's dynamics differ from arm a's, seen and unseen.
+    """How arm b's dynamics differ from arm a's.
 
     split : Δπ = π_a − π_b, in a's link frames, as visible and invisible part
     visible : largest torque that the visible part makes with a's geometry, per joint (n,) [N m]
@@ -67,9 +67,9 @@ class Equivalence:
 
 
 def split(identifiability: Identifiability, dpi: ArrayLike) -> VisibleSplit:
-    """What torque sees of Δπ, shape (10 n,), and what it does not.
+    """The parts of Δπ, shape (10 n,), that do and do not change torque.
 
-    Δπ must be held in the frames that `identify` was asked for.
+    Δπ must be expressed in the frames that `identify` used.
     """
     base = identifiability.base_parameters(dpi)
     visible = np.zeros(identifiability.columns)

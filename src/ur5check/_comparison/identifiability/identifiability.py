@@ -1,19 +1,19 @@
-"""What torque cannot see: the base parameters of an arm.
+"""Identifiability: the base parameters of an arm.
 
 τ = Y(q, q̇, q̈) π, and Y over all states has fewer independent columns than the 10 n parameters.
-What changes π within the null space of Y changes no torque, at any state, ever; only the r base
+A change of π within the null space of Y changes no torque at any state; only the r base
 parameters
 
     π_base = π[base] + β π[dependent],     τ = Y[base] π_base
 
-can be told from motion and torque (Mayeda, Yoshida & Osuka, IEEE T-RA 6(3), 1990; Gautier & Khalil,
-"Direct calculation of minimum set of inertial parameters of serial robots", IEEE T-RA 6(3), 1990,
-pp. 368–373).  The closed-form rules of these papers ask for a DH table; `base_parameters` gets the
-same sets from numbers, for any chain.
+can be identified from motion and torque (Mayeda, Yoshida & Osuka, IEEE T-RA 6(3), 1990; Gautier &
+Khalil, "Direct calculation of minimum set of inertial parameters of serial robots", IEEE T-RA 6(3),
+1990, pp. 368–373).  The closed-form rules of these papers need a DH table; `base_parameters` gets
+the same sets from numbers, for any chain.
 
 Which parameters stand for their combination is a choice.  Ours is that of the textbooks: low links
 before high ones, and in a link the tensor, then the first moments, then the mass.  So the mass of a
-forearm is read as a part of the upper arm's inertia, and not the other way round.
+forearm appears as a part of the upper arm's inertia, and not the other way round.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ Label = Literal["identifiable", "in combination", "invisible"]
 #: 1e11, and rounded angles of 11 digits still 1e8.
 CERTAIN_GAP = 1e6
 
-#: A kept direction weaker than this part of the strongest is seen through a rounded angle (π/2 with
-#: four digits is 1e-4 off) rather than through the design.  The UR5's weakest is 0.08.
+#: A kept direction weaker than this part of the strongest comes from a rounded angle (π/2 with
+#: four digits is 1e-4 off) rather than from the design.  The UR5's weakest is 0.08.
 WEAKEST = 1e-4
 
 # Places of `PARAMETERS` in the order in which we want them as base parameters.
@@ -56,7 +56,7 @@ _KIND = (0, 1, 1, 1, 2, 2, 2, 2, 2, 2)  # mass, first moment, tensor: their unit
 
 @dataclass(frozen=True, eq=False)
 class Identifiability:
-    """Which of an arm's 10 n parameters its torques can tell.
+    """Which of an arm's 10 n parameters its torques identify.
 
     names : "m1", "mx1" … "Izz1", "m2" …, in the order of `SerialArm.parameters`
     rank : number of base parameters
@@ -65,7 +65,7 @@ class Identifiability:
     base, dependent : places of the parameters that stand for a combination, and of the others
     beta : shape (rank, 10 n − rank), with π_base = π[base] + beta @ π[dependent]
     null_space : shape (10 n, 10 n − rank); column k raises dependent parameter k by one and
-        changes the base parameters so that no torque notices
+        changes the base parameters so that no torque changes
     labels : what each parameter is, shape (10 n,)
     """
 
@@ -141,7 +141,7 @@ def identify(
 ) -> Identifiability:
     """The base parameters of an arm.  Its inertias play no part, only geometry and gravity.
 
-    seed : of the random states at which Y is asked; the result does not depend on it
+    seed : of the random states at which Y is evaluated; the result does not depend on it
     gravity : in the arm's base frame, shape (3,) [m/s²]; its own when None
     frame : "link", parameters in the frames i, as `SerialArm.parameters` has them; "source", in
         the frames in which the arm's own file writes them (for a URDF those at the joints)

@@ -1,1 +1,1 @@
-"""What rounded digits cost: angles, constants, and every number that is printed short."""
+"""Torque errors due to rounding: of angles, of constants, and of every printed number."""

@@ -1,9 +1,8 @@
 """0.0833333 for 1/12 in the transverse moment of a cylinder.
 
 A cylinder of mass m, radius r and length l has I_axial = m r²/2 and I_transverse = m (3r² + l²)/12.
-A program that writes 0.0833333 for 1/12 gives itself away: with its constant, r and l come out as
-the round numbers that somebody typed; with 1/12, l does not.  The mistake (3r)² for 3r² is allowed
-for, since it hides nothing of this.
+Where 0.0833333 was written for 1/12, r and l come out as round numbers with that constant, but not
+with 1/12.  The mistake (3r)² for 3r² is allowed for.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ _CONSTANTS = tuple((f"0.08{'3' * n}", float(f"0.08{'3' * n}")) for n in range(1,
 _GRIDS = (5, 4)  # decimals of a metre
 _EVIDENCE = 1e-2
 _MOST_DIGITS = 14  # URDFs are often printed to 12 decimals
-_SAME_MOMENT = 1e-9  # two moments equal but for the dust of frames, relative
+_SAME_MOMENT = 1e-9  # two moments equal but for the rounding of frames, relative
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +67,7 @@ def with_exact_twelfth(arm: SerialArm, found: tuple[CutTwelfth, ...]) -> SerialA
 
 def _cylinder(number: int, link: Link) -> CutTwelfth | None:
     body = link.inertia.expressed_in(Transform(link.source_frame.R.T, np.zeros(3)))
-    # Files write a cylinder along one of their axes; elsewhere its digits are gone.
+    # Files write a cylinder along one of their axes; in other axes its digits are lost.
     if np.abs(body.tensor - np.diag(np.diag(body.tensor))).max() > _SAME_MOMENT * body.tensor.max():
         return None
     for k in range(3):
@@ -109,7 +108,7 @@ def _length(
 
 
 def _doubt(*moments: float) -> float:
-    """Half a unit in the last printed digit of a link's moments; of computed ones, dust."""
+    """Half a unit in the last printed digit of moments; of computed ones, rounding error."""
     decimals = [decimals_of(moment, _MOST_DIGITS) for moment in moments]
     if None in decimals:
         return 1e-13 * max(moments)
@@ -117,7 +116,7 @@ def _doubt(*moments: float) -> float:
 
 
 def _round_length(value: float, doubt: float) -> float | None:
-    """The round number [m] that `value` is, if it is one and could be told from none."""
+    """The round number [m] that `value` is, if it is one and can be distinguished from none."""
     for decimals in _GRIDS:
         nearest = round(value, decimals)
         if doubt <= 0.5 * _EVIDENCE * 10.0**-decimals:

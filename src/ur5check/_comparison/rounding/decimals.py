@@ -1,7 +1,7 @@
-"""Numbers as somebody wrote them: how many decimals, and which constant was cut short.
+"""Numbers as they were written: how many decimals, and which constant was rounded.
 
-A float does not remember its text.  But of all the numbers near it, the shortest decimal is what
-was written: 0.089159 has six decimals, and one that needs more than nine digits was computed.
+A float does not keep its text, but of all numbers near it the shortest decimal is taken as what was
+written: 0.089159 has six decimals, and one that needs more than nine digits was computed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ __all__ = ["MOST_DIGITS", "Writing", "decimals_of", "half_units", "written_as"]
 #: A person, or a table, writes no more significant digits than this; a program writes 12 to 17.
 MOST_DIGITS = 9
 
-# Moving a number to another frame and back leaves this much dust, relative and absolute.
+# Moving a number to another frame and back leaves this rounding error, relative and absolute.
 _RELATIVE_ZERO_TOLERANCE, _ABSOLUTE_ZERO_TOLERANCE = 1e-13, 1e-15
 
 
@@ -69,7 +69,7 @@ def half_units(values: Sequence[float], beside: Sequence[float] = ()) -> list[fl
 
     beside : other numbers of the same unit in the same file, printed to as many decimals
 
-    A column is printed with one number of decimals, and trailing zeros get lost on the way: the
+    A column is printed with one number of decimals, and trailing zeros are lost: the
     3.7 beside 0.1879 was 3.7000.  So the finest number gives the place for all of them.  Zeros are
     exact.  If one of the numbers needs more than MOST_DIGITS digits, a program computed them, and
     all are exact.

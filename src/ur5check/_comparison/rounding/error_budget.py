@@ -1,13 +1,13 @@
-"""How much of a torque difference comes from digits, and what is then left to explain.
+"""How much of a torque difference comes from rounded numbers, and what remains.
 
-Two kinds of items, kept apart.  *Recomputed*: a number is put right (π/2 for 1.5707, 1/12 for
-0.0833333, 9.80665 for 9.806), the torque is asked again, and the step is exact.  Steps are made one
-after the other, angles first, then 1/12, then gravity, side a before side b, so that
+Two kinds of items, kept apart.  *Recomputed*: a number is corrected (π/2 for 1.5707, 1/12 for
+0.0833333, 9.80665 for 9.806), the torque is computed again, and the step is exact.  Steps are made
+one after the other, angles first, then 1/12, then gravity, side a before side b, so that
 
     Δτ = Σ recomputed items + remainder      at every state, to rounding.
 
-*Bounds*: what the last printed digit of all other numbers may be worth.  Nobody knows which way
-they were rounded, so they explain nothing; a remainder below them needs no explanation.  Numbers
+*Bounds*: the largest effect of the last printed digit of all other numbers.  Which way they were
+rounded is unknown, so they explain nothing; a remainder below them needs no explanation.  Numbers
 that stand in both files alike were rounded alike, cancel in Δτ, and are left out.
 """
 
@@ -35,12 +35,12 @@ _ROUNDING = 64 * float(np.finfo(np.float64).eps)  # as in `attribution`
 
 @dataclass(frozen=True, eq=False)
 class BudgetItem:
-    """What one kind of digits costs, over N states.
+    """The torque error of one kind of rounding, over N states.
 
     cause : a clause, as "π/2 written as 1.5707 (4 decimals)"
     side : the arm that has it;  where : "P1, P4, P5"
     rms, maximum : per joint, shape (n,) [N m]
-    exact : True for a recomputed difference; False for a bound on what nobody can recompute
+    exact : True for a recomputed difference; False for a bound
     """
 
     cause: str
@@ -53,7 +53,7 @@ class BudgetItem:
 
 @dataclass(frozen=True, eq=False)
 class ErrorBudget:
-    """A torque difference, what digits explain of it, and the rest; per joint, shape (n,) [N m].
+    """A torque difference, what rounding explains of it, and the rest; per joint, shape (n,) [N m].
 
     items : recomputed ones first, in the order of the steps, then bounds
     total : RMS of Δτ;  explained : RMS of the sum of all recomputed items
@@ -72,13 +72,13 @@ class ErrorBudget:
 
     @property
     def digits_suffice(self) -> bool:
-        """Whether what is left is no more than the printed digits may be worth, in every joint."""
+        """Whether the remainder is within the bounds of the printed digits, in every joint."""
         most = self.rounding + sum(item.maximum for item in self.items if not item.exact)
         return bool((self.remainder_maximum <= most).all())
 
 
 def budget(pair: Pair, states: States) -> ErrorBudget:
-    """What digits cost in a pair of arms, at these states.
+    """The torque error due to rounding in a pair of arms, at these states.
 
     Joint signs and offsets stay those of the pair; its base transform turns gravity and arm
     together and plays no part in torque.

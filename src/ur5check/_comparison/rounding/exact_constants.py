@@ -1,4 +1,4 @@
-"""Numbers that were meant to be exact, put right: π/2 for 1.5707, 1/12 for 0.0833333, gravity."""
+"""Rounded constants, corrected: π/2 for 1.5707, 1/12 for 0.0833333, gravity."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Arms = dict[Side, SerialArm]
 
 @dataclass(frozen=True, eq=False)
 class Correction:
-    """One kind of cut-off number put right in one arm.
+    """One kind of rounded constant corrected in one arm.
 
     cause : a clause;  where : which transforms or links;  arm : the arm afterwards
     """

@@ -1,4 +1,4 @@
-"""What the last printed digit of every number is worth in torque: a bound, not a finding.
+"""The largest torque error due to the last printed digit of every number: a bound, no finding.
 
 A number printed to h may be off by up to h/2 either way, uniformly, and independently of the
 others.  To first order τ moves by Σ_k (∂τ/∂p_k) e_k with |e_k| ≤ h_k/2, so over states
@@ -50,7 +50,7 @@ class PrintedNumbers:
     length_halves: Array
 
     def without(self, other: PrintedNumbers, same_frame: Mask) -> PrintedNumbers:
-        """The same, with nothing to doubt where the other arm has the very same number.
+        """The same, with no uncertainty where the other arm has the very same number.
 
         same_frame : for each link, whether both sources write it in one frame, shape (n,); where
             they do not, only masses mean the same
@@ -87,7 +87,7 @@ def printed_numbers(arm: SerialArm) -> PrintedNumbers:
 
 
 def torque_of_inertial_digits(arm: SerialArm, numbers: PrintedNumbers, Y: Array) -> Array:
-    """What half a unit of each doubtful inertial number does, shape (K, N, n) [N m].
+    """The effect of half a unit of each uncertain inertial number, shape (K, N, n) [N m].
 
     Y : `torque_regressor` of the arm at N states, shape (N, n, 10 n)
     """
@@ -102,7 +102,7 @@ def torque_of_inertial_digits(arm: SerialArm, numbers: PrintedNumbers, Y: Array)
 def torque_of_lengths(
     arm: SerialArm, numbers: PrintedNumbers, torque: Callable[[SerialArm], Array]
 ) -> Array:
-    """What half a unit of each doubtful length does, shape (K, N, n) [N m].
+    """The effect of half a unit of each uncertain length, shape (K, N, n) [N m].
 
     torque : of an arm, shape (N, n)
     """

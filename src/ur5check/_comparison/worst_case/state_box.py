@@ -12,8 +12,8 @@ from ..arm_pair import Pair
 
 __all__ = ["StateBox", "state_box"]
 
-#: Pinocchio and our own URDF writer put the largest double where a file must name a limit and
-#: nobody knows one.  Nothing near it is a limit.
+#: Pinocchio and the URDF writer put the largest double where a file must give a limit that is not
+#: known.  Nothing near it is a limit.
 _NO_LIMIT = 1e100
 
 
@@ -47,9 +47,9 @@ class StateBox:
 def state_box(pair: Pair, acceleration: float) -> StateBox:
     """The box of a pair: arm a's limits, where it gives none arm b's, else a default.
 
-    The defaults are those of `random_states`: |q| ≤ π and |q̇| ≤ 3.2.  No file speaks of
-    accelerations, so that their bound is given [rad/s²], or [m/s²] for a sliding joint.  A velocity
-    limit of zero would forbid all motion; files that write it mean "not known".
+    The defaults are those of `random_states`: |q| ≤ π and |q̇| ≤ 3.2.  No file
+    limits accelerations, so that their bound is given [rad/s²], or [m/s²] for a sliding joint.  A
+    velocity limit of zero would forbid all motion; files that write it mean "not known".
     """
     lower = _first(pair, "lower", -MAX_ANGLE)
     upper = _first(pair, "upper", MAX_ANGLE)

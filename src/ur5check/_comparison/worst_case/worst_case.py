@@ -1,8 +1,8 @@
 """Where two arms disagree most: the state within the limits that makes Δτ = τ_a − τ_b largest.
 
-Random states tell the size of a disagreement but not its end: the worst state lies on corners of
-the box of velocities and accelerations, where a random one never is.  So the best of many random
-states are only where the climb begins (`ascent`), and the answer is never below them.
+Random states show the size of a disagreement but not its maximum: the worst state lies on corners
+of the box of velocities and accelerations, where a random one is never drawn.  So the best of many
+random states are only where the climb begins (`ascent`), and the answer is never below them.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ class WorstCase:
 
     what : "one joint" or "all joints together"
     joint : number, from 1; None for all together
-    static : whether the arm stands still, so that gravity alone speaks
+    static : whether the arm stands still: gravity torque only
     value, unit : |Δτ_j|, "N m" (or "N"); for all together √Σ (Δτ_j / effort_j)², "of the effort
         limits", or √Σ Δτ_j² in "N m" where an effort limit is not known
     effort_share : the value as a share of the effort limit; None where that is not known
     state : q, qd and qdd, n numbers each
     best_random : the value at the best of the random states
     starts : climbs begun; 0 where nothing but rounding parts the two arms
-    evaluations : states at which the climbs asked for Δτ and its gradient
+    evaluations : evaluations of Δτ and its gradient by the climbs
     """
 
     what: Literal["one joint", "all joints together"]
@@ -88,7 +88,7 @@ def worst_cases(
     """Where the arms of a pair disagree most: 2 n + 2 answers.
 
     First in motion, joint by joint and then all joints together; then in the same order at rest,
-    where gravity alone speaks.  The states lie in `state_box(pair, acceleration)`.
+    with gravity torque only.  The states lie in `state_box(pair, acceleration)`.
 
     pair : see `pair_up`
     seed, random_states : the random states that the climbs begin from
