@@ -6,6 +6,11 @@ independent on the null space of the regressor Y: then as many hold as there are
 torque sees.  The parameters that remain follow from  Y E z = Y π,  π' = E z,  where E spells the
 wishes out: zeros are zeros exactly, and torques are kept to rounding.
 
+`base_parameters.decompose` does not serve here: it scales columns by kind and takes the rank at the
+steepest fall of the singular values, for a report.  This module needs the null space of Y unscaled
+and down to rounding, so that torques stay the same; its basis, and with it the last digits of the
+regrouped parameters, would differ.
+
 References: Khalil & Gautier (1990) for what may be chosen.
 """
 
