@@ -61,6 +61,7 @@ def check_expression(expression: str) -> None:
                 f"the expression reaches for {name!r}, which describes no robot",
                 fix="remove it, and ask who wrote this file",
                 element=f"${{{expression}}}",
+                rule="XAC103",
             )
 
 

@@ -34,7 +34,7 @@ __all__ = ["main"]
 _NEVER_ENDS = "the expansion never ends: an include, a macro or an expression calls itself"
 _CORRECT = "correct the xacro file"
 
-# What xacro says, and what to do about it.
+# A part of xacro's message, and what to do about it.
 _FIXES = (
     ("unknown macro name", "define the macro before its call, or include the file that defines it"),
     ("Undefined parameters", "give every parameter that has no default"),
@@ -79,6 +79,7 @@ class Arguments(dict[str, str]):
                 fix=did_you_mean(name, self.known),
                 file=file,
                 value=f"{name}:={dict.__getitem__(self, name)}",
+                rule="XAC102",
             )
 
 
@@ -110,7 +111,7 @@ class Worker:
             "warnings": _warnings(self.said.getvalue()),
         }
 
-    # What xacro does through us.
+    # What replaces functions of xacro.
 
     def _take_over_xacro(self) -> None:
         unchecked_eval = xacro.safe_eval
@@ -124,6 +125,7 @@ class Worker:
                     f"{error}",
                     fix=f"define the property before it is used; {_near(error, names)}",
                     element=f"${{{text}}}",
+                    rule="XAC102",
                 ) from None
 
         def evaluate_substitution(text: str, names: dict[str, Any], inner: Any) -> Any:
@@ -164,6 +166,7 @@ class Worker:
                 f"package {name!r} is not known",
                 fix=f"pass --package {name}=DIR ({near})",
                 element=f"$(find {name})",
+                rule="XAC101",
             )
         return self.packages[name][0]
 
@@ -180,6 +183,7 @@ class Worker:
                 fix="correct the file name, or pass --package NAME=DIR for another folder",
                 element="<xacro:include>",
                 value=filename,
+                rule="XAC101",
             )
             # An optional include may be absent: xacro recognises that by the OSError.
             absent = xacro.XacroException(reason, exc=error)
@@ -193,7 +197,10 @@ class Worker:
             return io.StringIO(self._read(filename, "xacro.load_yaml").decode("utf-8"))
         except UnicodeDecodeError:
             raise ModelError(
-                "the file is not UTF-8 text", fix="save the file as UTF-8", file=filename
+                "the file is not UTF-8 text",
+                fix="save the file as UTF-8",
+                file=filename,
+                rule="XAC100",
             ) from None
 
     def _read(self, filename: str, element: str) -> bytes:
@@ -205,6 +212,7 @@ class Worker:
                 fix="pass --package NAME=DIR for the folder that holds it, if you trust it",
                 element=element,
                 value=filename,
+                rule="XAC103",
             )
         with open(path, "rb") as file:  # noqa: PTH123
             data = file.read()
@@ -223,7 +231,7 @@ class Worker:
                             return elsewhere
         return absolute
 
-    # What we tell whoever started us.
+    # What the process that started this one reads.
 
     def _note(self, snippet: str) -> None:
         self.snippet = snippet
@@ -249,6 +257,7 @@ class Worker:
                 f"the file tried to {tried[:200]}",
                 "remove it, and ask who wrote this file",
                 element=self.snippet or None,
+                rule="XAC103",
             )
         )
 
@@ -268,20 +277,26 @@ class Worker:
                     line=explained.line,
                     element=explained.element,
                     value=explained.value,
+                    rule=explained.rule,
                 )
         root = chain[-1]
         message = (str(root) or repr(root)).splitlines()[0]
         if isinstance(root, RecursionError):
-            return self._error(_NEVER_ENDS, "end it with xacro:if or xacro:unless", self._macro())
+            fix = "end it with xacro:if or xacro:unless"
+            return self._error(_NEVER_ENDS, fix, self._macro(), rule="XAC104")
         if isinstance(root, MemoryError):
             return self._error(
-                "the expansion needs more memory than it may have", _CORRECT, self.snippet or None
+                "the expansion needs more memory than it may have",
+                _CORRECT,
+                self.snippet or None,
+                rule="XAC104",
             )
         if isinstance(root, substitution_args.ArgException):
             return self._error(
                 f"argument {message!r} has no value",
                 f'pass a value for it, or declare <xacro:arg name="{message}" default="…"/>',
                 self.snippet or None,
+                rule="XAC102",
             )
         element = self.snippet or self._macro()
         for pattern, written, shown in (
@@ -306,6 +321,7 @@ class Worker:
         file: str | None = None,
         line: int | None = None,
         value: object = None,
+        rule: str = "XAC100",
     ) -> dict[str, Any]:
         return {
             "error": {
@@ -315,6 +331,7 @@ class Worker:
                 "line": line,
                 "element": element,
                 "value": value if value is None else str(value),
+                "rule": rule,
             },
             "snippet": self.snippet,
             "files": list(self._files()),
@@ -322,7 +339,9 @@ class Worker:
 
     def _too_large(self) -> dict[str, Any]:
         return self._error(
-            f"the expansion is larger than {self.output_bytes // 2**20} MiB", _CORRECT
+            f"the expansion is larger than {self.output_bytes // 2**20} MiB",
+            _CORRECT,
+            rule="XAC104",
         )
 
     def _files(self) -> Iterator[str]:

@@ -71,6 +71,7 @@ def expand_xacro(
             "this is not a file" if robot.exists() else "no such file",
             fix="give the path of a xacro file",
             file=str(path),
+            rule="XAC101",
         )
     robot = robot.resolve()
     folders = [str(robot.parent), *(str(f) for fs in packages.folders.values() for f in fs)]
@@ -158,6 +159,7 @@ def _ended_error(ended: _EndedError, shown: Mapping[str, str]) -> ModelError:
         "problem": ended.problem,
         "fix": "simplify what it computes, or allow it more time",
         "element": snippet or None,
+        "rule": "XAC104",
     }
     return _error(error, files, snippet, shown)
 
@@ -175,6 +177,7 @@ def _error(
         line=line,
         element=fields.get("element"),
         value=fields.get("value"),
+        rule=fields.get("rule", "XAC100"),
     )
 
 

@@ -50,7 +50,9 @@ def checked_xml(data: bytes, file: str) -> bytes:
 def checked_root(data: bytes, file: str) -> Element:
     """The root element of a file.  Raises ModelError as `checked_xml` does."""
     if not data.strip():
-        raise ModelError("the file is empty", fix="give a robot description", file=file)
+        raise ModelError(
+            "the file is empty", fix="give a robot description", file=file, rule="XML101"
+        )
     _check_encoding(data, file)
     doctype = _DOCTYPE.search(data)
     if doctype:
@@ -60,6 +62,7 @@ def checked_root(data: bytes, file: str) -> Element:
             file=file,
             line=_line_at(data, doctype.end()),
             element="<!DOCTYPE>",
+            rule="XML101",
         )
     try:
         return parsed_xml(data)
@@ -69,6 +72,7 @@ def checked_root(data: bytes, file: str) -> Element:
             fix="correct the XML; a cut-off file must be fetched again",
             file=file,
             line=error.lineno or None,
+            rule="XML101",
         ) from None
 
 
@@ -86,7 +90,9 @@ def parsed_xml(data: bytes | str) -> Element:
 def _check_encoding(data: bytes, file: str) -> None:
     for mark, name in _FOREIGN_MARKS:
         if data.startswith(mark):
-            raise ModelError(f"the file is {name}", fix=_SAVE_AS_UTF8, file=file, line=1)
+            raise ModelError(
+                f"the file is {name}", fix=_SAVE_AS_UTF8, file=file, line=1, rule="XML101"
+            )
     declared = _ENCODING.match(data)
     # ASCII is a part of UTF-8, so a file that declares it is read alike by everyone.
     if declared and declared[1].lower() not in (b"utf-8", b"us-ascii", b"ascii"):
@@ -97,6 +103,7 @@ def _check_encoding(data: bytes, file: str) -> None:
             line=1,
             element="<?xml?>",
             value=declared[1].decode("ascii", "replace"),
+            rule="XML101",
         )
     try:
         data.decode("utf-8")
@@ -107,6 +114,7 @@ def _check_encoding(data: bytes, file: str) -> None:
             file=file,
             line=_line_at(data, error.start),
             value=data[error.start : error.end],
+            rule="XML101",
         ) from None
 
 
