@@ -144,8 +144,10 @@ def stand(
     """
     pair = pair_up(plant, model)
     if _is_same_model(plant, model):  # under its own torques: nothing to tell apart
-        a, b = (replace(arm, given_label=plant.label) for arm in (pair.a, pair.b))
-        pair = replace(pair, a=a, b=b)
+        a, b, given_b = (
+            replace(arm, given_label=plant.label) for arm in (pair.a, pair.b, pair.given_b)
+        )
+        pair = replace(pair, a=a, b=b, given_b=given_b)
     q_0 = joint_array(plant, "q", q).astype(np.float64)
     if q_0.ndim != 1:
         raise UsageError(f"one posture is simulated at a time, not an array of shape {q_0.shape}")
