@@ -1,4 +1,4 @@
-"""The contributor's commands: `nox` runs all checks, `nox -s tests` one of them, `nox -l` lists them.
+"""The contributor's commands: `nox` runs all checks, `nox -s tests` one, `nox -l` lists them.
 
 All run in the environment that nox runs in, the one with `ur5check[dev]`: one installation of the
 engines is enough.

@@ -1,7 +1,9 @@
-"""Write a model as URDF, MJCF (MuJoCo) or DH table, exact to the digit where no frame changes.
+"""Write a model as URDF, MJCF (MuJoCo) or DH table.  Numbers whose frame does not
+change are written unchanged.
 
-What the format cannot say (URDF: gravity and motor inertia; MJCF: velocity limits) is said in a
-comment at the top, with where the numbers came from, and on stderr."""
+What the format cannot hold (URDF: gravity and motor inertia; MJCF: velocity
+limits) is listed in a comment at the top of the file and on stderr.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,7 @@ examples:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `convert` takes."""
-    parser.add_argument("model", metavar="MODEL", help="what to convert")
+    parser.add_argument("model", metavar="MODEL", help="model to convert")
     parser.add_argument(
         "--to",
         choices=tuple(WRITABLE),

@@ -1,5 +1,7 @@
-"""The closed form of an arm's dynamics: torques, mass matrix, Coriolis matrix or gravity, derived
-from the recursion, with its operations counted, as code or as formulas."""
+"""Derive an arm's equations of motion in closed form: torques, mass matrix, Coriolis
+matrix or gravity torques, simplified, as code or as formulas, with the number of
+operations.
+"""
 
 from __future__ import annotations
 
@@ -37,19 +39,21 @@ _TARGETS = ("python", "c", "sympy", "latex", "json")
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `derive` takes."""
-    parser.add_argument("model", metavar="MODEL", help="whose dynamics")
+    parser.add_argument("model", metavar="MODEL", help="model whose dynamics are derived")
     parser.add_argument(
         "--quantity",
         choices=_QUANTITIES,
         default="tau",
         help="tau: torques (default), M: mass matrix, C: Coriolis matrix, g: gravity torques",
     )
-    parser.add_argument("--to", choices=_TARGETS, default="python", help="default: python")
+    parser.add_argument(
+        "--to", choices=_TARGETS, default="python", help="language of the result (default: python)"
+    )
     parser.add_argument(
         "--parameters",
         choices=("numeric", "symbolic"),
         default="numeric",
-        help="numeric: the arm's numbers (default); symbolic: m2, cx2, Izz2, a2, d4, … by name",
+        help="numeric: the model's values (default); symbolic: names such as m2, cx2, Izz2, a2, d4",
     )
     add_model_options(parser, ("",))
     add_output_options(parser, formats=False)

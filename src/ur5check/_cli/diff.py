@@ -1,7 +1,9 @@
-"""Say what differs between two models, why, by how many newton metres, whose every newton metre is,
-and at which posture it matters most.
+"""Compare two models of an arm: the largest torque difference, the parameters it is
+attributed to, the known mistakes that explain it, and the configuration within
+the joint limits where it is largest.
 
-Exit code 0 if no torque differs by more than a millionth of the largest, 1 if one does.
+Exit code 0: no torque differs by more than a millionth of the largest torque.
+1: one does.
 """
 
 from __future__ import annotations
@@ -29,26 +31,33 @@ EXAMPLES = f"""\
 
 examples:
   ur5check diff paper appendix
-  ur5check diff good.urdf suspect.urdf --tip-a tool0 --tip-b tool0 --repair repaired.urdf -o diff.md
+  ur5check diff vendor.urdf mine.urdf --tip-a tool0 --tip-b tool0 -o diff.md
+  ur5check diff vendor.urdf mine.urdf --repair repaired.urdf
 """
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `diff` takes."""
-    parser.add_argument("a", metavar="A", help="a model")
-    parser.add_argument("b", metavar="B", help="another, held against it")
-    parser.add_argument("--quick", action="store_true", help="what differs, without the why")
+    parser.add_argument("a", metavar="A", help="the reference model")
+    parser.add_argument("b", metavar="B", help="the model that is compared with it")
     parser.add_argument(
-        "--repair", metavar="FILE", help="write B, its known mistakes repaired, as a URDF"
+        "--quick",
+        action="store_true",
+        help="differences and attribution only; no diagnosis of mistakes",
     )
     parser.add_argument(
-        "--by-parameter", action="store_true", help="go down to each of a link's ten parameters"
+        "--repair", metavar="FILE", help="write B with its diagnosed mistakes repaired, as URDF"
+    )
+    parser.add_argument(
+        "--by-parameter",
+        action="store_true",
+        help="attribute torques to each of a link's ten parameters",
     )
     parser.add_argument(
         "--acceleration",
         type=float,
         metavar="A",
-        help="bound on accelerations for the worst case [rad/s²] (default: 10)",
+        help="largest acceleration in the search for the worst state [rad/s²] (default: 10)",
     )
     add_state_options(parser)
     add_model_options(parser, ("a", "b"))

@@ -1,8 +1,10 @@
-"""Compare engines: what each of them imports from a model, how far apart their torques are, and
-what repairs the file.  Without a model: list the engines and what installs them.
+"""Compare physics engines on one model: which parameters each engine imports from
+the file, how far apart their torques are, and how to repair the file for an
+engine that misreads it.  Without a model: list the engines.
 
-Exit code 0 if no joint torques of two engines, repaired unless --as-read, differ by more than
---tolerance; 1 if they do or an engine refuses the model.
+Exit code 0: all torques agree within --tolerance, with files repaired for known
+issues unless --as-read is given.  1: they do not, or an engine refuses the
+model.
 """
 
 from __future__ import annotations
@@ -34,7 +36,12 @@ examples:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `engines`."""
-    parser.add_argument("model", metavar="MODEL", nargs="?", help="model that every engine reads")
+    parser.add_argument(
+        "model",
+        metavar="MODEL",
+        nargs="?",
+        help="model that every engine imports; none: list the engines",
+    )
     parser.add_argument("--list", action="store_true", help="list the engines, with versions")
     parser.add_argument(
         "--fleet", action="store_true", help="compare on every serial arm of example-robot-data"
@@ -70,7 +77,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=float,
         nargs=3,
         metavar=("X", "Y", "Z"),
-        help="for all engines, in the base frame [m/s²] (default: the model's)",
+        help="gravity in the base frame, for all engines [m/s²] (default: the model's)",
     )
     add_model_options(parser, ("",))
     add_output_options(parser)

@@ -1,4 +1,6 @@
-"""Print the URDF that a xacro stands for, without ROS; on request, as one engine reads it right."""
+"""Expand a xacro to URDF, without ROS; optionally rewritten so that one engine imports
+it correctly.
+"""
 
 from __future__ import annotations
 
@@ -15,20 +17,34 @@ __all__ = ["EXAMPLES", "add_options", "run"]
 EXAMPLES = """\
 examples:
   ur5check expand appendix -o ur5.urdf
-  ur5check expand robot.urdf.xacro --package my_robot=. --arg prefix:=left_ --for mujoco
+  ur5check expand my_arm.urdf.xacro --package my_robot=. --for mujoco
 """
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `expand` takes."""
-    parser.add_argument("file", metavar="FILE", help="a .xacro file, or the name of a model")
-    parser.add_argument("--package", action="append", default=[], metavar="NAME=DIR")
-    parser.add_argument("--arg", action="append", default=[], metavar="NAME:=VALUE")
+    parser.add_argument(
+        "file", metavar="FILE", help="a .xacro or .urdf file, or the name of a shipped model"
+    )
+    parser.add_argument(
+        "--package",
+        action="append",
+        default=[],
+        metavar="NAME=DIR",
+        help="folder of a ROS package, for $(find NAME) and package://NAME; repeatable",
+    )
+    parser.add_argument(
+        "--arg",
+        action="append",
+        default=[],
+        metavar="NAME:=VALUE",
+        help="value of a xacro argument; repeatable",
+    )
     parser.add_argument(
         "--for",
         dest="reader",
         metavar="ENGINE",
-        help="repair what this reader would misread, e.g. mujoco, drake, dart, gazebo",
+        help="rewrite what this engine is known to misread: mujoco, drake, dart, gazebo, …",
     )
     add_output_options(parser, formats=False)
 

@@ -1,4 +1,4 @@
-"""Write an arm as a package for a simulator: Gazebo, under ROS 2 and ROS 1."""
+"""Write an arm as ROS packages that simulate it in Gazebo, driven by joint torques."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ EXAMPLES = f"""\
 
 examples:
   ur5check export gazebo ur5_in_gazebo
-  ur5check export gazebo pendulum --model pendulum.urdf --pose 0.5 --ros 2
+  ur5check export gazebo pendulum --model pendulum.urdf --pose 0.5
 """
 
 _ROS: dict[str, tuple[Ros, ...]] = {"1": ("1",), "2": ("2",), "both": ("1", "2")}
@@ -28,20 +28,27 @@ _ROS: dict[str, tuple[Ros, ...]] = {"1": ("1",), "2": ("2",), "both": ("1", "2")
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `export` takes."""
-    parser.add_argument("to", choices=("gazebo",), metavar="gazebo", help="the simulator")
-    parser.add_argument("folder", metavar="DIR", help="a new or empty folder for the packages")
-    parser.add_argument("--model", default="appendix", help="default: appendix")
-    parser.add_argument("--ros", choices=tuple(_ROS), default="both", help="default: both")
+    parser.add_argument("to", choices=("gazebo",), metavar="gazebo", help="simulator to export to")
+    parser.add_argument(
+        "folder", metavar="DIR", help="new or empty folder that the packages are written to"
+    )
+    parser.add_argument("--model", default="appendix", help="model to export (default: appendix)")
+    parser.add_argument(
+        "--ros",
+        choices=tuple(_ROS),
+        default="both",
+        help="ROS version of the packages (default: both)",
+    )
     parser.add_argument(
         "--pose",
         type=float,
         nargs="+",
         metavar="Q",
-        help="where the arm starts, and what the torque holds [rad, m] (default: the paper's case "
-        "9, for an arm of six joints)",
+        help="initial configuration, which the torques hold [rad, m] (default for six joints: "
+        "case 9 of the paper)",
     )
     add_model_options(parser, ("",))
-    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
+    parser.add_argument("--quiet", action="store_true", help="show no progress on stderr")
 
 
 def run(args: argparse.Namespace) -> int:

@@ -1,9 +1,9 @@
-"""`ur5check COMMAND …`: find the command, run it, turn what happens into an exit code.
+"""`ur5check COMMAND …`: run the command and return its exit code.
 
-    0    it agrees, it passes, it is done
-    1    it does not
-    2    bad input or usage; one line on stderr says what is wrong and what to do
-    130  interrupted;  141  the reader of our output went away (as a shell reports SIGINT, SIGPIPE)
+    0    models pass or agree; the command has done its work
+    1    they do not
+    2    wrong usage or input; one line on stderr says what is wrong and what to do
+    130  interrupted (SIGINT);  141  the reader of stdout has closed it (SIGPIPE)
 
 Nothing heavy is imported before a command runs: `ur5check --help` is as fast as Python.
 """
@@ -25,23 +25,35 @@ from .parser import Parser
 __all__ = ["main"]
 
 COMMANDS = {
-    "validate": "do the laws hold, do the engines agree, are differences accounted for",
-    "diff": "what differs between two models, by how many newton metres, and why",
-    "sweep": "the same at millions of states: how often, how much, where in the reach",
-    "paper": "the paper's nine cases, and what came of each of its claims",
-    "simulate": "the paper's test 9: does an arm stand under a model's torques, or move",
-    "engines": "do Pinocchio, MuJoCo, Drake, DART, … mean the same robot; who is here",
-    "derive": "torques, M, C or g in closed form, as Python, C, SymPy or LaTeX",
-    "show": "a model as ur5check understands it",
-    "expand": "a xacro as the URDF that it stands for",
-    "convert": "a model written as URDF, MJCF or DH table",
-    "export": "a package that hands an arm to Gazebo, torque-driven",
+    "validate": "check models: inertias, laws of dynamics, agreement with Pinocchio",
+    "diff": "compare two models: torque difference, wrong parameters, mistakes",
+    "engines": "compare what Pinocchio, MuJoCo, Drake, DART and iDynTree import",
+    "show": "print a model's joints, geometry and inertias",
+    "sweep": "compare two models at millions of states",
+    "expand": "expand a xacro to URDF, without ROS",
+    "convert": "write a model as URDF, MJCF or DH table",
+    "export": "write a model as packages for Gazebo",
+    "derive": "derive torques, M, C or g in closed form: Python, C, SymPy, LaTeX",
+    "paper": "reproduce the paper (SSRN 3939013) and judge its claims",
+    "simulate": "hold an arm with the gravity torques of a model",
 }
+
+_DESCRIPTION = """\
+Checks dynamics models of robot arms: finds the parameters that are wrong, and
+their effect on the joint torques in newton metres.
+
+commands:
+{commands}
+
+`ur5check COMMAND --help` describes the options of a command.
+Exit code 0: models pass or agree, 1: they do not, 2: wrong usage or input.
+"""
 
 _EXAMPLES = """\
 examples:
-  ur5check validate
-  ur5check diff paper appendix
+  ur5check validate my_arm.urdf
+  ur5check diff vendor.urdf mine.urdf
+  ur5check validate              (the models of the paper)
 """
 
 
@@ -64,7 +76,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Ur5checkError as error:
         return _fail(str(error))
     except MemoryError:
-        return _fail("there is not enough memory for this; take fewer --samples")
+        return _fail("not enough memory; use fewer --samples")
     except OSError as error:
         return _fail(f"{error.strerror or error}{f': {error.filename}' if error.filename else ''}")
     except Exception:  # noqa: BLE001 - a crash must not exit with 1, which means "they differ"
@@ -92,9 +104,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = Parser(
         prog="ur5check",
         usage="ur5check [--help] [--version] COMMAND …",
-        description="Says which number of a robot arm's dynamics model is wrong, by how many "
-        f"newton metres, and where it matters.\n\ncommands:\n{listed}\n\n"
-        "`ur5check COMMAND --help` tells more.  Exit code 0: agrees, 1: does not, 2: bad input.",
+        description=_DESCRIPTION.format(commands=listed),
         epilog=_EXAMPLES,
     )
     parser.add_argument("command", choices=COMMANDS, metavar="COMMAND", help=argparse.SUPPRESS)
@@ -103,13 +113,13 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _fail(message: str, code: int = 2) -> int:
-    """Say it in one line, whatever a file's name or text held."""
+    """Print an error as one line, whatever a file's name or text contains."""
     print(f"ur5check: error: {' '.join(message.split())}", file=sys.stderr)  # noqa: T201
     return code
 
 
 def _abandon_stdout() -> None:
-    """Python flushes stdout once more at its end; let that go nowhere."""
+    """Discard what Python flushes to stdout when it ends."""
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except (OSError, ValueError):  # not a real file: nothing to flush

@@ -41,10 +41,12 @@ def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True)
         parser.add_argument(
             "--format",
             choices=FORMATS,
-            help="default: what the suffix of -o says (.json, .md), else text",
+            help="format of the report (default: from the suffix of -o, else text)",
         )
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of to stdout")
-    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", help="write to this file instead of stdout"
+    )
+    parser.add_argument("--quiet", action="store_true", help="show no progress on stderr")
 
 
 def add_state_options(parser: argparse.ArgumentParser) -> None:
@@ -54,17 +56,17 @@ def add_state_options(parser: argparse.ArgumentParser) -> None:
         type=int,
         default=10_000,
         metavar="N",
-        help="random states to look at (default: 10000)",
+        help="number of random states (default: 10000)",
     )
     parser.add_argument(
-        "--seed", type=int, default=0, metavar="N", help="seed that they are drawn from (default 0)"
+        "--seed", type=int, default=0, metavar="N", help="seed of the random states (default: 0)"
     )
     parser.add_argument(
         "--gravity",
         type=float,
         nargs=3,
         metavar=("X", "Y", "Z"),
-        help="gravity in each base frame [m/s²] (default: what each model says)",
+        help="gravity in the base frame of each model [m/s²] (default: the model's own)",
     )
 
 
@@ -74,21 +76,23 @@ def add_model_options(parser: argparse.ArgumentParser, sides: tuple[str, ...]) -
         suffix, of = (f"-{side}", f"{side.upper()}'s") if side else ("", "the model's")
         for end, what in (("base", "first"), ("tip", "last")):
             parser.add_argument(
-                f"--{end}{suffix}", metavar="LINK", help=f"{of} {what} link (default: of its chain)"
+                f"--{end}{suffix}",
+                metavar="LINK",
+                help=f"{of} {what} link (default: of its only chain)",
             )
     parser.add_argument(
         "--package",
         action="append",
         default=[],
         metavar="NAME=DIR",
-        help="where $(find NAME) and package://NAME are; repeatable",
+        help="folder of a ROS package, for $(find NAME) and package://NAME; repeatable",
     )
     parser.add_argument(
         "--arg",
         action="append",
         default=[],
         metavar="NAME:=VALUE",
-        help="an argument of a xacro; repeatable",
+        help="value of a xacro argument; repeatable",
     )
 
 

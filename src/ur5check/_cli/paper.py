@@ -1,8 +1,9 @@
-"""Do again what the paper did (SSRN 3939013), and say of each of its claims what came of it:
-confirmed, confirmed only after a repair, or refuted.
+"""Reproduce the paper (SSRN 3939013): its nine torque cases, inertia formulas,
+limits, controller and simulation.  Each claim is confirmed, confirmed only after
+a correction, or refuted.
 
-Exit code 0 if it was reproduced (a refuted claim is a finding, no failure), 1 if our recursion and
-Pinocchio do not agree on the appendix, so that nothing can be believed.
+Exit code 0: the paper was reproduced, whatever the verdicts.  1: the recursion
+and Pinocchio disagree on the appendix, so the verdicts have no basis.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--figures",
         metavar="DIR",
-        help="draw the nine cases there, as SVG and PNG (needs ur5check[figures])",
+        help="also plot the nine cases into this folder, as SVG and PNG (needs ur5check[figures])",
     )
     add_output_options(parser)
 

@@ -1,5 +1,6 @@
-"""Show a model as ur5check understands it: joints, geometry, masses, centres and tensors, in the
-frames of its own file."""
+"""Show a model as it is read: joints, limits, geometry, masses, centres of mass and
+inertia tensors, in the link frames of its own file.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ examples:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `show` takes."""
-    parser.add_argument("model", metavar="MODEL", help="what to show")
+    parser.add_argument("model", metavar="MODEL", help="model to show")
     add_model_options(parser, ("",))
     add_output_options(parser)
 

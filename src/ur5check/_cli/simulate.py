@@ -1,7 +1,7 @@
-"""The paper's test 9: apply the torques that hold one model to another (the plant), and report
-whether it stands or moves.
+"""Test 9 of the paper: apply the torques that balance gravity in one model to another
+model, the plant, and report whether the plant stays at rest.
 
-Exit code 0 if it stands, 1 if it moves.
+Exit code 0: it stays at rest.  1: it moves.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ EXAMPLES = f"""\
 {MODELS}
 
 examples:
-  ur5check simulate --plant appendix --torque paper-listing --pose case9 --engine mujoco
-  ur5check simulate --torque paper --pose 0 0.9 -1 1 3.5 -1.9 --recompute --figure drift.svg
+  ur5check simulate --plant appendix --torque paper-listing --engine mujoco
+  ur5check simulate --torque paper --pose 0 0.9 -1 1 3.5 -1.9 --recompute
 """
 
 _PICTURES = (".svg", ".png")
@@ -38,47 +38,59 @@ _PICTURES = (".svg", ".png")
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `simulate`."""
     parser.add_argument(
-        "--plant", default="appendix", metavar="MODEL", help="the arm that moves, A (appendix)"
+        "--plant",
+        default="appendix",
+        metavar="MODEL",
+        help="the simulated arm, A (default: appendix)",
     )
     parser.add_argument(
         "--torque",
         default="appendix",
         metavar="MODEL",
-        help="the model whose holding torques are applied, B (appendix)",
+        help="model that the gravity torques are computed from, B (default: appendix)",
     )
     parser.add_argument(
         "--pose",
         nargs="+",
         default=["case9"],
         metavar="Q",
-        help="the posture at the start, at rest: case9, or the plant's joint angles [rad] (case9)",
+        help="initial configuration, at rest: joint positions of the plant [rad, m], or case9 of "
+        "the paper (default)",
     )
     parser.add_argument(
         "--engine",
         default="ur5check",
         metavar="ENGINE",
-        help="integrates the motion: ur5check (default), mujoco, dart",
-    )
-    parser.add_argument("--seconds", type=float, default=5.0, metavar="T", help="duration (5)")
-    parser.add_argument(
-        "--step", type=float, default=1e-3, metavar="S", help="step of the engine [s] (0.001)"
+        help="engine that integrates the motion: ur5check (default), mujoco, dart",
     )
     parser.add_argument(
-        "--integrator", metavar="NAME", help="integrator of the engine (its default)"
+        "--seconds", type=float, default=5.0, metavar="T", help="duration [s] (default: 5)"
+    )
+    parser.add_argument(
+        "--step",
+        type=float,
+        default=1e-3,
+        metavar="S",
+        help="time step of the engine [s] (default: 0.001)",
+    )
+    parser.add_argument(
+        "--integrator", metavar="NAME", help="integrator of the engine (default: the engine's)"
     )
     torque = parser.add_mutually_exclusive_group()
     torque.add_argument(
         "--hold",
         action="store_true",
-        help="constant torques, as in the paper (default)",
+        help="keep the torques of the initial configuration, as the paper does (default)",
     )
     torque.add_argument(
         "--recompute",
         action="store_true",
-        help="torques that hold the model at the posture of each step",
+        help="compute the torques anew at the configuration of each step",
     )
     parser.add_argument(
-        "--figure", metavar="FILE", help="draw the drift, .svg or .png (needs ur5check[figures])"
+        "--figure",
+        metavar="FILE",
+        help="also plot the drift, as .svg or .png (needs ur5check[figures])",
     )
     add_model_options(parser, ("a", "b"))
     add_output_options(parser)

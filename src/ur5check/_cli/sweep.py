@@ -1,10 +1,12 @@
-"""Statistics of the torque difference of two models over millions of states, in constant memory.
+"""Compare the torques of two models at millions of states, in bounded memory.
 
-Per joint: RMS, maximum with its state, quantiles, histogram, share of the states above a tolerance;
-and a map of the largest difference by the position of the tool.  No digit depends on the number of
-threads, batches or machines, or on interruptions.
+Per joint: RMS and maximum of the difference, its quantiles and histogram, the
+share of states above a tolerance; and the positions of the tool where the
+difference occurs.  The results do not depend on the number of threads, batches
+or machines, nor on interruptions.
 
-Exit code 0 if no torque differs by more than a millionth of the largest, 1 if one does.
+Exit code 0: no torque differs by more than a millionth of the largest torque.
+1: one does.
 """
 
 from __future__ import annotations
@@ -30,14 +32,14 @@ EXAMPLES = f"""\
 {MODELS}
 
 examples:
-  ur5check sweep paper appendix --states 1e9 --threads 2 --checkpoint sweep.json -o sweep.md
-  ur5check sweep good.urdf suspect.urdf --sample run.parquet --parquet found.parquet
+  ur5check sweep paper appendix --states 1e9 --checkpoint sweep.json
+  ur5check sweep vendor.urdf mine.urdf --sample run.parquet -o sweep.md
 """
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Arguments of `sweep`."""
-    parser.add_argument("a", metavar="A", help="a model")
+    parser.add_argument("a", metavar="A", help="the reference model")
     parser.add_argument("b", metavar="B", help="another, compared with it")
     what = parser.add_argument_group("states")
     what.add_argument(

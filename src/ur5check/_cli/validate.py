@@ -1,7 +1,10 @@
-"""Ask of every model whether the laws of dynamics hold in our hands and in Pinocchio's, whether its
-bodies could exist, and whether every difference from the first model is accounted for.
+"""Check models: whether each link's inertia is physically consistent, whether the
+dynamics computed here and by Pinocchio agree and satisfy the laws of rigid body
+dynamics, and, for several models, which parameters explain the torque
+differences from the first.
 
-Exit code 0 if so (different numbers that are accounted for are a finding, no failure), 1 if not.
+Exit code 0: all checks pass; models may differ if the difference is attributed
+to parameters without a residual.  1: a check fails.
 """
 
 from __future__ import annotations
@@ -26,13 +29,16 @@ EXAMPLES = f"""\
 
 examples:
   ur5check validate
-  ur5check validate robot.urdf.xacro --package my_robot=. --arg prefix:=left_ -o report.md
+  ur5check validate my_arm.urdf
+  ur5check validate my_arm.urdf.xacro --package my_robot=. --arg prefix:=left_
 """
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `validate` takes."""
-    parser.add_argument("models", nargs="*", metavar="MODEL", help="(default: paper appendix)")
+    parser.add_argument(
+        "models", nargs="*", metavar="MODEL", help="models to check (default: paper appendix)"
+    )
     add_state_options(parser)
     add_model_options(parser, ("", "a", "b"))
     add_output_options(parser)
