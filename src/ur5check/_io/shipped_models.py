@@ -61,8 +61,8 @@ _ENTRIES = (
     ShippedModel(
         "paper",
         "dh",
-        "UR5 after Table 1 and the controller, with the listing's masses and inertias",
-        f"{_PAPER}: Table 1, the controller's values in the appendix, the listing's tables",
+        "UR5 on the controller's DH, with the masses and inertias of the paper's listing",
+        f"{_PAPER}: the controller's DH in the appendix, the listing's tables",
         "BSD-2-Clause",
         "models",
         PurePosixPath("paper.toml"),

@@ -1,7 +1,7 @@
-"""Every claim of the paper that is put to the test, in the order of the paper.
+"""Every claim of the paper that is tested, in the order of the paper.
 
-A claim is a function from the evidence to outcomes.  To add a family, write a file of such
-functions and name them here: one line each.
+A claim is a function from the evidence to outcomes.  To add a claim, write such a function and name
+it here: one line.
 """
 
 from __future__ import annotations
@@ -9,23 +9,27 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from .claim import ClaimOutcome
-from .control_claims import eq_28_is_the_law, feedback_is_stable
+from .control_claims import eq_28_is_the_law, feedback_is_stable, gains_reach_every_joint
 from .curve_claims import as_expected, posture_torque, sine, zero_and_constant
+from .derivation_claims import listing_runs, newton_euler_is_more_accurate
 from .evidence import Evidence
+from .geometry_claims import eq_1_is_the_transform, table_1_is_the_robot, vectors_from_dh
 from .load_claims import because_light, less_than_case_2, low
 from .number_claims import (
     across_the_axis,
     along_the_axis,
     tensors_lie_along_links,
-    vectors_from_dh,
 )
 from .simulation_claims import posture_is_clear, the_arm_stands
 from .soft_limits import soft_limits
+from .workspace_claims import cylinder_is_unreachable, sphere_is_the_reach
 
 __all__ = [
     "CLAIMS",
     "OF_CASES",
     "OF_CONTROL",
+    "OF_DERIVATION",
+    "OF_GEOMETRY",
     "OF_LIMITS",
     "OF_NUMBERS",
     "OF_SIMULATION",
@@ -34,9 +38,20 @@ __all__ = [
 
 ClaimFunction = Callable[[Evidence], Iterable[ClaimOutcome]]
 
-#: Lengths and inertia tensors.
-OF_NUMBERS: tuple[ClaimFunction, ...] = (
+#: The workspace, Table 1, eq. (1) and the listing's vectors.
+OF_GEOMETRY: tuple[ClaimFunction, ...] = (
+    sphere_is_the_reach,
+    cylinder_is_unreachable,
+    eq_1_is_the_transform,
+    table_1_is_the_robot,
     vectors_from_dh,
+)
+
+#: The method, and the program.
+OF_DERIVATION: tuple[ClaimFunction, ...] = (newton_euler_is_more_accurate, listing_runs)
+
+#: Inertia tensors.
+OF_NUMBERS: tuple[ClaimFunction, ...] = (
     across_the_axis,
     along_the_axis,
     tensors_lie_along_links,
@@ -60,6 +75,18 @@ OF_LIMITS: tuple[ClaimFunction, ...] = (soft_limits,)
 OF_SIMULATION: tuple[ClaimFunction, ...] = (the_arm_stands, posture_is_clear)
 
 #: The controller of the section on future work.
-OF_CONTROL: tuple[ClaimFunction, ...] = (feedback_is_stable, eq_28_is_the_law)
+OF_CONTROL: tuple[ClaimFunction, ...] = (
+    feedback_is_stable,
+    gains_reach_every_joint,
+    eq_28_is_the_law,
+)
 
-CLAIMS = (*OF_NUMBERS, *OF_CASES, *OF_SIMULATION, *OF_CONTROL, *OF_LIMITS)
+CLAIMS = (
+    *OF_GEOMETRY,
+    *OF_DERIVATION,
+    *OF_NUMBERS,
+    *OF_CASES,
+    *OF_SIMULATION,
+    *OF_CONTROL,
+    *OF_LIMITS,
+)

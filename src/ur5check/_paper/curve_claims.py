@@ -1,4 +1,4 @@
-"""What the paper says of its curves' shapes: a sine, as expected, zero and constant."""
+"""What the paper says of its curves: a sine, as expected, zero and constant."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def sine(evidence: Evidence) -> Iterator[ClaimOutcome]:
         claim = Claim(
             f"case-{case.number}-sine",
             f"Case {case.number}: τ{case.watched} is a sine curve",
-            "offset and what a sine leaves of the curve, as parts of the amplitude: rounding only",
+            "offset and residual of the fitted sine over its amplitude: rounding only",
             f"test case {case.number}",
             "1",
         )
@@ -27,7 +27,7 @@ def sine(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def sine_trial(run: Run) -> Trial:
-    """One curve held against its sine.  No amplitude is no sine."""
+    """One curve compared with its sine.  No amplitude is no sine."""
     fit = run.harmonic
     if fit is None or fit.amplitude <= run.rounding:
         return _trial(run, float("nan"), 0.0, "there is no curve")
@@ -36,10 +36,10 @@ def sine_trial(run: Run) -> Trial:
 
 
 def as_expected(evidence: Evidence) -> Iterator[ClaimOutcome]:
-    """Cases 1 to 8: the torque is what the weights ask for.
+    """Cases 1 to 8: the torque is the moment of the weights.
 
-    The paper says "as expected" of every curve, and not what it expected.  A motor at rest holds
-    weights; so that is what can be expected, and it comes from levers, not from the recursion.
+    The paper says "as expected" without what it expected.  A motor at rest holds weights; their
+    moment is computed from levers, not by the recursion.
     """
     for case in (case for case in CASES if case.watched is not None):
         claim = Claim(
@@ -54,7 +54,7 @@ def as_expected(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def expectation_trial(run: Run) -> Trial:
-    """The watched torque held against the weights."""
+    """The watched torque compared with the moment of the weights."""
     if run.as_expected:
         reason = nothing_to_hold(run.model.true_arm, run.q, run.case.watched or 1)
         nothing = f"nothing to hold{': ' * bool(reason)}{reason}"
@@ -62,9 +62,9 @@ def expectation_trial(run: Run) -> Trial:
     elif not run.expected_peak:
         why = f"peak {run.peak:.4g} N m, with nothing to hold"
     else:
-        turned = ", the wrong way round" if run.opposed else ""
+        turned = ", of opposite sign" if run.opposed else ""
         part = 100.0 * (run.peak / run.expected_peak - 1.0)
-        size = f"{abs(part):.0f} % too {'large' if part > 0.0 else 'small'}"
+        size = f"{abs(part):.1f} % too {'large' if part > 0.0 else 'small'}"
         why = f"peak {run.peak:.4g} for {run.expected_peak:.4g} N m: {size}{turned}"
     return _trial(run, run.error, run.tolerance, why)
 
@@ -74,7 +74,7 @@ def zero_and_constant(evidence: Evidence) -> Iterator[ClaimOutcome]:
     claim = Claim(
         "case-4-zero",
         "Case 4: τ1 is zero and constant",
-        "largest torque over the turn: rounding of the torques that the other joints bear",
+        "largest torque over the turn: rounding of the other joints' torques",
         "test case 4",
         "N m",
     )
@@ -102,7 +102,7 @@ def posture_torque(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def posture_trial(run: Run) -> Trial:
-    """Six torques held against the weights."""
+    """Six torques compared with the moments of the weights."""
     shown = run.expected_watched if run.as_expected else run.watched - run.expected_watched
     joint = int(abs(shown).argmax())
     tau, wanted = run.watched[joint], run.expected_watched[joint]

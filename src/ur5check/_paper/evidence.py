@@ -1,4 +1,4 @@
-"""Everything that was computed for the claims; every claim looks at some of it."""
+"""Everything that is computed for the claims; each claim uses part of it."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ Progress = Callable[[str], None]
 class Evidence:
     """What the claims are judged by.
 
-    models : who was asked;  runs : each case for each model, case by case
-    mistakes : the listing's own mistakes, found by diagnosis, and the listing less these
-    formulas : of each printed tensor, which formula made it
-    say : takes a line before each longer step
+    models : that were computed;  runs : each case for each model, case by case
+    listing_mistakes : found by diagnosis, and the listing without them
+    formulas : the formula that gives each printed tensor
+    say : called with a line before each longer step
     """
 
     models: tuple[Model, ...]
@@ -37,7 +37,7 @@ class Evidence:
         return next(model for model in self.models if model.name == name)
 
     def of(self, number: int) -> Iterator[Run]:
-        """A case, model by model."""
+        """The runs of a case, model by model."""
         return (run for run in self.runs if run.case.number == number)
 
     def run(self, number: int, model: str) -> Run:

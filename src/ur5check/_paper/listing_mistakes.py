@@ -1,7 +1,8 @@
-"""Where a printed curve comes from the paper's own mistakes: repair them, and see the curve move.
+"""The mistakes of the paper's listing, and their effect on each of the nine cases.
 
-The mistakes are not typed in here.  `diagnosis` finds them between the listing and Table 1, as it
-would between any two arms, and hands back the listing without them.
+The mistakes are not listed here.  `diagnosis` finds them between the listing and the controller's
+DH as between any two arms, and returns the listing without them.  Both arms have the listing's
+gravity: 9.806 m/s² is a value of its own (standard gravity is 9.80665), not a mistake.
 """
 
 from __future__ import annotations
@@ -16,44 +17,56 @@ from .._dynamics.equations import gravity_torque
 from .._robot.serial_arm import SerialArm
 from .._robot.states import random_states
 from .case_runs import Run
+from .table_readings import literal_reading
 
 __all__ = ["ListingMistakes", "MistakeEffect", "find_listing_mistakes", "mistake_effect"]
 
-#: As evidence for a finding, an RMS over a thousand random states is known to a few per cent.
+#: A thousand random states give an RMS to a few per cent.
 _SAMPLES, _SEED = 1_000, 0
 
 
 @dataclass(frozen=True, eq=False)
 class ListingMistakes:
-    """What diagnosis found in the listing, held against Table 1.
+    """What diagnosis found in the listing, compared with the controller's DH.
 
-    diagnosis : the mistakes, in the order of repairing
-    repaired : the listing less those that are its own, under the gravity of Table 1's arm
-    samples, seed : random states at which the effect of each mistake was measured
+    diagnosis : of the listing against the controller's DH
+    repaired : the listing without them
+    controller : the same masses, centres and tensors on the controller's DH, under the listing's
+        gravity
+    literal : the same on Table 1 with the appendix's a2 and a3 (`table_readings`)
+    samples, seed : of the random states at which the effect of each mistake was measured
     """
 
     diagnosis: Diagnosis
     repaired: SerialArm
+    controller: SerialArm
+    literal: SerialArm
     samples: int
     seed: int
 
 
 @dataclass(frozen=True)
 class MistakeEffect:
-    """What the mistakes do to the watched torque of a case.
+    """What the mistakes do to the watched torque of a case, all under the listing's gravity.
 
-    printed, repaired, table : its value of largest size, with its sign [N m]: as printed, with the
-        mistakes repaired, and of Table 1's arm.  All three at the state where Table 1's is largest.
-    gap, left : largest distance from Table 1's arm, before and after repairing [N m]
+    printed, repaired, literal, table : its value, with its sign [N m]: as printed, with the
+        mistakes repaired, of Table 1 read literally, and of the controller's DH; at the state where
+        the last is largest
+    gap, left : largest distance from the controller's DH, before and after repairing [N m]
+    literal_gap : largest distance of the printed torque from Table 1 read literally [N m]
+    literal_peak : largest size of the torque of Table 1 read literally [N m]
     """
 
     case: int
     joint: int
     printed: float
     repaired: float
+    literal: float
     table: float
     gap: float
     left: float
+    literal_gap: float
+    literal_peak: float
 
     @property
     def ratio(self) -> float:
@@ -61,29 +74,42 @@ class MistakeEffect:
         return self.printed / self.table
 
 
-def find_listing_mistakes(listing: SerialArm, table_1: SerialArm) -> ListingMistakes:
-    """Let diagnosis look."""
-    found = diagnose(pair_up(listing, table_1), random_states(listing.n, _SAMPLES, _SEED))
-    repaired = found.repaired_a.with_gravity(table_1.gravity)
-    return ListingMistakes(found, repaired, _SAMPLES, _SEED)
+def find_listing_mistakes(listing: SerialArm, controller: SerialArm) -> ListingMistakes:
+    """Run the diagnosis on the listing and the controller's DH.
 
-
-def mistake_effect(listing_mistakes: ListingMistakes, printed: Run, table: Run) -> MistakeEffect:
-    """How far the printed torque of a case is explained by the mistakes.
-
-    printed, table : the same case for the listing and for Table 1's arm
+    controller : the listing's masses, centres and tensors on the controller's DH
     """
-    repaired = gravity_torque(listing_mistakes.repaired, table.q)
-    joint = table.case.watched or int(np.abs(table.torque).max(axis=0).argmax()) + 1
-    k = int(np.abs(table.torque[:, joint - 1]).argmax())
-    curves = (tau[:, joint - 1] for tau in (printed.torque, repaired, table.torque))
-    as_printed, without_listing_mistakes, right = curves
+    controller = controller.with_gravity(listing.gravity)
+    found = diagnose(pair_up(listing, controller), random_states(listing.n, _SAMPLES, _SEED))
+    return ListingMistakes(
+        found, found.repaired_a, controller, literal_reading(controller), _SAMPLES, _SEED
+    )
+
+
+def mistake_effect(mistakes: ListingMistakes, printed: Run) -> MistakeEffect | None:
+    """How much of the printed torque of a case the mistakes explain.
+
+    printed : the case of the listing
+
+    Returns None where the controller's DH has no torque to compare with.
+    """
+    arms = (mistakes.repaired, mistakes.literal, mistakes.controller)
+    torques = [printed.torque, *(gravity_torque(arm, printed.q) for arm in arms)]
+    joint = printed.case.watched or int(np.abs(torques[-1]).max(axis=0).argmax()) + 1
+    curves = [tau[:, joint - 1] for tau in torques]
+    k = int(np.abs(curves[-1]).argmax())
+    if abs(curves[-1][k]) <= printed.rounding:
+        return None
+    as_printed, repaired, literal, right = curves
     return MistakeEffect(
-        table.case.number,
-        joint,
-        float(as_printed[k]),
-        float(without_listing_mistakes[k]),
-        float(right[k]),
-        float(np.abs(as_printed - right).max()),
-        float(np.abs(without_listing_mistakes - right).max()),
+        case=printed.case.number,
+        joint=joint,
+        printed=float(as_printed[k]),
+        repaired=float(repaired[k]),
+        literal=float(literal[k]),
+        table=float(right[k]),
+        gap=float(np.abs(as_printed - right).max()),
+        left=float(np.abs(repaired - right).max()),
+        literal_gap=float(np.abs(as_printed - literal).max()),
+        literal_peak=float(np.abs(literal).max()),
     )

@@ -1,6 +1,6 @@
-"""What the paper says of its numbers: lengths from the DH table, tensors from a cylinder's formula.
+"""What the paper says of its inertia tensors: a cylinder's formula, in the frames of the links.
 
-All of these can be held against the paper itself; no measured robot is needed.
+All of it can be compared with the paper itself; no measured robot is needed.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._comparison.rounding.cylinder_constant import CutTwelfth, cut_twelfths
-from .._comparison.rounding.decimals import half_units
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .claim import Claim, ClaimOutcome, Trial, judged
@@ -18,48 +17,14 @@ from .evidence import Evidence
 from .inertia_formulas import EQ_3, TensorFormula
 from .paper_models import PRINTED, REPAIRED, Form
 
-__all__ = ["across_the_axis", "along_the_axis", "tensors_lie_along_links", "vectors_from_dh"]
+__all__ = ["across_the_axis", "along_the_axis", "tensors_lie_along_links"]
 
 #: Links whose cylinders are long enough to have a direction that matters.
 _LONG = (2, 3)
 
-#: Nearer along than across.  The next joint stands beside the link's own axis, so that not even a
-#: good cylinder points straight at it.
+#: Nearer along than across.  The next joint lies beside the link's axis, so that not even a
+#: correct cylinder points exactly at it.
 _ALONG = 45.0  # [°]
-
-
-def vectors_from_dh(evidence: Evidence) -> Iterator[ClaimOutcome]:
-    """The vectors between origins follow from the DH table."""
-    claim = Claim(
-        "vectors",
-        "The vectors between link origins follow from the DH table",
-        "largest distance from R_iᵀ p_i of Table 1: half a unit of the last digit printed",
-        "listing, r of links 1 to 6",
-        "m",
-    )
-    table = evidence.model(REPAIRED).arm
-    yield from judged(
-        claim,
-        (
-            vector_trial(evidence.model(PRINTED).arm, table),
-            Trial(
-                REPAIRED,
-                "repaired",
-                *_apart(evidence.listing_mistakes.repaired, table),
-                "mistakes repaired",
-            ),
-        ),
-    )
-
-
-def vector_trial(listing: SerialArm, table: SerialArm) -> Trial:
-    """The listing's vectors against Table 1's."""
-    value, limit = _apart(listing, table)
-    wrong = np.flatnonzero(np.abs(_reaches(listing) - _reaches(table)).max(axis=1) > limit) + 1
-    links = ", ".join(map(str, wrong))
-    return Trial(
-        PRINTED, "printed", value, limit, f"links {links} reach the wrong way" * bool(links)
-    )
 
 
 def across_the_axis(evidence: Evidence) -> Iterator[ClaimOutcome]:
@@ -78,7 +43,7 @@ def across_the_axis(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def across_trial(formulas: tuple[TensorFormula, ...]) -> Trial:
-    """The printed moments against eq. 3, and what made them instead."""
+    """The printed moments against eq. 3, and the formula that gives them."""
     worst = max(abs(f.across - f.honest) for f in formulas)
     percent = sorted(100.0 * f.honest_error for f in formulas)
     made = sorted({"no known formula" if f.formula is None else f.formula.text for f in formulas})
@@ -105,11 +70,11 @@ def along_trial(formulas: tuple[TensorFormula, ...]) -> Trial:
 
 
 def tensors_lie_along_links(evidence: Evidence) -> Iterator[ClaimOutcome]:
-    """The tensors of the long links are held in the frames in which they are used."""
+    """The tensors of the long links are given in the frames in which they are used."""
     claim = Claim(
         "inertia-frame",
         "The cylinders of links 2 and 3 lie along these links",
-        "largest angle between the cylinder's axis and the way to the next joint: 45°, nearer "
+        "largest angle between the cylinder's axis and the vector to the next joint: 45°, nearer "
         "along than across",
         "listing, inertia tensors",
         "°",
@@ -119,13 +84,13 @@ def tensors_lie_along_links(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def direction_trial(arm: SerialArm, name: str, form: Form) -> Trial:
-    """Which way the cylinders of the long links lie."""
+    """The direction of the cylinders of the long links."""
     axes = {c.link: c.axis for c in cut_twelfths(arm)}
     angles = [
         _angle(axes[i], arm.links[i - 1].link_tip_frame.R.T @ arm.links[i - 1].link_tip_frame.p)
         for i in _LONG
     ]
-    why = "tensors of URDF frames, used unturned in DH frames" * (max(angles) > _ALONG)
+    why = "tensors of URDF frames, used unrotated in DH frames" * (max(angles) > _ALONG)
     return Trial(name, form, max(angles), _ALONG, why)
 
 
@@ -144,17 +109,6 @@ def _appendix_trial(arm: SerialArm, cylinders: tuple[CutTwelfth, ...]) -> Trial:
     return Trial(
         "appendix", "other", error, half_unit * honest, f"computed with {constant} for 1/12"
     )
-
-
-def _apart(arm: SerialArm, table: SerialArm) -> tuple[float, float]:
-    """Largest distance of the vectors between origins, and half a unit of their last digit [m]."""
-    reaches = _reaches(table)
-    return float(np.abs(_reaches(arm) - reaches).max()), max(half_units(reaches.ravel().tolist()))
-
-
-def _reaches(arm: SerialArm) -> Array:
-    """r_{i−1,i} in frame i, shape (n, 3) [m]."""
-    return np.array([link.link_tip_frame.R.T @ link.link_tip_frame.p for link in arm.links])
 
 
 def _angle(one: Array, other: Array) -> float:

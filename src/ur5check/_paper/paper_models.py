@@ -1,7 +1,7 @@
-"""Who is asked: five answers to every case, four from our recursion and one from Pinocchio.
+"""The five models that compute every case, four by our recursion and one by Pinocchio.
 
 paper-listing           the paper's program as printed
-paper                   the same numbers on the geometry of its own Table 1: the repair
+paper                   its masses, centres and tensors on the controller's DH: the repair
 appendix                the xacro of its appendix
 erd-ur5                 the UR5 of example-robot-data, which others use
 appendix by Pinocchio   the same URDF text, read and computed by the reference engine
@@ -37,10 +37,10 @@ _FORMS: dict[str, Form] = {
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """An arm, and who computes it.
+    """An arm and the function that computes its torques.
 
     arm : as it was read
-    true_arm : the same inertias on the UR5's geometry, at 9.81 m/s²: for what a torque should be
+    true_arm : the same inertias and gravity on the UR5's geometry: gives the expected torque
     torque : g(q) of shape (..., n) [N m], for q of shape (..., n) [rad]
     """
 
@@ -52,14 +52,14 @@ class Model:
 
 
 def load_models() -> tuple[Model, ...]:
-    """All five, what is printed first.
+    """All five, the printed one first.
 
-    The UR5's geometry is that of Table 1 with the controller's values.  `_comparison.arm_pair`
-    carries each model's inertias there: in space where the axes coincide, number by number where,
-    as in the listing, signs are lost and they do not.
+    The UR5's geometry is the controller's DH.  `_comparison.arm_pair` maps each model's inertias
+    to it: in space where the axes coincide, number by number where, as in the listing, signs are
+    lost and they do not.
     """
-    table_1 = load(REPAIRED)
-    models = [_own(load(name), form, table_1) for name, form in _FORMS.items()]
+    controller = load(REPAIRED)
+    models = [_own(load(name), form, controller) for name, form in _FORMS.items()]
     appendix = models[2]
     from .._engines.adapters.pinocchio import PinocchioEngine
 
@@ -71,6 +71,6 @@ def reference_model(appendix: Model, reference: Engine) -> Model:
     return Model(PINOCCHIO, "other", appendix.arm, appendix.true_arm, reference.gravity_torque)
 
 
-def _own(arm: SerialArm, form: Form, table_1: SerialArm) -> Model:
-    true_arm = pair_up(table_1, arm).arm(geometry="a", inertias="b", gravity="a")
+def _own(arm: SerialArm, form: Form, controller: SerialArm) -> Model:
+    true_arm = pair_up(controller, arm).arm(geometry="a", inertias="b", gravity="b")
     return Model(arm.name, form, arm, true_arm, lambda q: gravity_torque(arm, q))

@@ -1,4 +1,4 @@
-"""`ur5check paper`: do again what the paper did, and say of each claim what came of it."""
+"""`ur5check paper`: the paper's computations repeated, with a verdict on each claim."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from .claims import CLAIMS, ClaimFunction
 from .evidence import Evidence, Progress, gather
 from .inertia_formulas import TensorFormula
 from .listing_mistakes import ListingMistakes, MistakeEffect, mistake_effect
-from .paper_models import PINOCCHIO, PRINTED, REPAIRED
+from .paper_models import PINOCCHIO, PRINTED
 
 __all__ = ["Reproduction", "judge", "reproduce"]
 
 
 @dataclass(frozen=True, eq=False)
 class Reproduction:
-    """Everything that came of the paper; `reports` and `figures` show it.
+    """All results; `_reports` and `figures` show them.
 
     cases : each case for each model, case by case
-    claims : each claim for each model it was put to, claim by claim
-    formulas : of each printed inertia tensor, which formula made it
-    mistakes : the listing's own mistakes;  effects : what they do to each case, 1 … 9
+    claims : each claim for each model it was tested on, claim by claim
+    formulas : the formula that gives each printed inertia tensor
+    listing_mistakes : the listing's own mistakes;  effects : what they do to each case
     arms : that were read
     """
 
@@ -39,7 +39,7 @@ class Reproduction:
 
     @property
     def verdicts(self) -> dict[Claim, Verdict]:
-        """What came of each claim in the paper."""
+        """The verdict on each claim."""
         return {claim: overall(self.outcomes(claim.id)) for claim in self._claims()}
 
     @property
@@ -53,7 +53,7 @@ class Reproduction:
         return all(np.abs(a.torque - b.torque).max() <= a.rounding for a, b in self._both())
 
     def outcomes(self, claim: str) -> tuple[ClaimOutcome, ...]:
-        """Of the claim with that id, model by model."""
+        """The outcomes of the claim with that id, model by model."""
         return tuple(outcome for outcome in self.claims if outcome.id == claim)
 
     def run(self, number: int, model: str) -> Run:
@@ -69,7 +69,7 @@ class Reproduction:
 
 
 def reproduce(progress: Progress | None = None) -> Reproduction:
-    """Run the nine cases, look behind the inertia tensors, and judge every claim.
+    """Run the nine cases, find the formulas of the inertia tensors, and judge every claim.
 
     progress : called with a line before each longer step
 
@@ -79,15 +79,17 @@ def reproduce(progress: Progress | None = None) -> Reproduction:
 
 
 def judge(evidence: Evidence, claims: Iterable[ClaimFunction] = CLAIMS) -> Reproduction:
-    """Put the claims to the evidence."""
+    """Test the claims on the evidence."""
     evidence.say("judging the claims")
     outcomes = tuple(outcome for claim in claims for outcome in claim(evidence))
-    effects = tuple(
-        mistake_effect(evidence.listing_mistakes, run, evidence.run(run.case.number, REPAIRED))
-        for run in evidence.runs
-        if run.model.name == PRINTED and evidence.run(run.case.number, REPAIRED).peak
-    )
+    printed = (run for run in evidence.runs if run.model.name == PRINTED)
+    effects = (mistake_effect(evidence.listing_mistakes, run) for run in printed)
     arms = tuple(model.arm for model in evidence.models)
     return Reproduction(
-        evidence.runs, outcomes, evidence.formulas, evidence.listing_mistakes, effects, arms
+        evidence.runs,
+        outcomes,
+        evidence.formulas,
+        evidence.listing_mistakes,
+        tuple(effect for effect in effects if effect is not None),
+        arms,
     )

@@ -1,7 +1,7 @@
 """What the paper says of its simulation: torques were published, and the arm stood (test 9).
 
-The plant is the appendix's arm, as in the paper.  Our own integrator moves it here, which needs no
-engine; `ur5check simulate --engine mujoco` or `dart` asks the others (docs/simulation.md).
+The plant is the appendix's arm, as in the paper, moved by our own integrator; for MuJoCo and DART,
+see `ur5check simulate --engine` (docs/simulation.md).
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ def the_arm_stands(evidence: Evidence) -> Iterator[ClaimOutcome]:
     claim = Claim(
         "case-9-stands",
         "Case 9: under the torques sent to its joints, the appendix's arm stands",
-        "way of the tool in 5 s, or until a joint meets its limit: at most 0.1 mm, the "
-        "repeatability on a UR5's data sheet",
+        "displacement of the tool in 5 s, or until a joint meets its limit: at most 0.1 mm, the "
+        "repeatability of a UR5's data sheet",
         "test case 9, simulation",
         "mm",
     )
@@ -49,25 +49,25 @@ def the_arm_stands(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def static_hold_trial(name: str, form: Form, plant: SerialArm, model: SerialArm) -> Trial:
-    """The plant under the torques of a model."""
+    """The plant under the torques that hold a model."""
     s = stand(plant, model, case(9).joint_angles()[0], seconds=_SECONDS)
     joint = int(np.abs(s.given - s.needed).argmax())
     why = f"stands for {_SECONDS:g} s"
-    if s.left_after is not None:
+    if (left := s.tool_left_after) is not None:
         why = (
             f"joint {joint + 1} is given {s.given[joint]:+.2f} N m and needs "
-            f"{s.needed[joint]:+.2f} N m; the tool is away after {1e3 * s.left_after:.0f} ms"
+            f"{s.needed[joint]:+.2f} N m; the tool has moved 0.1 mm after {1e3 * left:.1f} ms"
         )
     return Trial(name, form, 1e3 * float(s.tool_drift.max()), 1e3 * STILL, why)
 
 
 def posture_is_clear(evidence: Evidence) -> Iterator[ClaimOutcome]:
-    """Test 9 shows what torques do only if nothing else holds the arm."""
+    """Test 9 tests torques only if nothing else supports the arm."""
     claim = Claim(
         "case-9-clear",
         "Case 9: the arm is free of the ground in the paper's world",
         "height of the lowest joint of the appendix's arm, its base 0.1 m above the ground: above "
-        "0, or the ground takes part",
+        "0, or the ground supports the arm",
         "test case 9, launch file",
         "m",
     )

@@ -46,7 +46,7 @@ def _verdict(r: Reproduction) -> Verdict:
     if not r.trustworthy:
         text = (
             "our recursion and Pinocchio do not agree on the appendix "
-            f"({residue(r.engines_apart)} N m apart); nothing below can be believed."
+            f"({residue(r.engines_apart)} N m apart); the results below are not valid."
         )
         return Verdict("FAIL", text, False)
     return Verdict("REPRODUCED", summary(r), True)

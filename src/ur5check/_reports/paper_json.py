@@ -45,9 +45,10 @@ def paper_json(r: Reproduction, *, command: str = "") -> Report:
                  "sentence": sentence(f, r.listing_mistakes.diagnosis.pair)}
                 for f in r.listing_mistakes.diagnosis.mistakes
             ],
-            "slip_effects": [
+            "mistake_effects": [
                 {"case": e.case, "joint": e.joint, "printed": e.printed, "repaired": e.repaired,
-                 "table": e.table, "ratio": e.ratio, "gap": e.gap, "left": e.left}
+                 "literal": e.literal, "table": e.table, "ratio": e.ratio, "gap": e.gap,
+                 "left": e.left, "literal_gap": e.literal_gap, "literal_peak": e.literal_peak}
                 for e in r.effects
             ],
         }

@@ -1,20 +1,19 @@
-"""What came of the paper, in sentences: the verdict, what stands out, and a headline a case.
+"""The paper's verdicts in sentences: the summary, the findings, and a headline for each case.
 
-Every number in them is measured; a claim that comes out otherwise is told otherwise.
+Every number in them is measured; the sentences follow the verdicts.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 
-from .._paper.listing_mistakes import MistakeEffect
 from .._paper.paper_models import PRINTED, REPAIRED
 from .._paper.reproduction import Reproduction
 from .mistake_sentences import sentence
 
 __all__ = ["headline", "headline_of_all", "summarize", "summary"]
 
-#: For each case the claim that is its own, and how it is told when it holds and when it fails.
+#: For each case its own claim, and the headline when it holds and when it fails.
 _OWN = {
     1: ("case-1-sine", "A sine, as claimed", "No sine"),
     2: ("case-2-expected", "As expected", "Not as expected"),
@@ -43,11 +42,13 @@ def summary(r: Reproduction) -> str:
 
 
 def summarize(r: Reproduction) -> list[str]:
-    """What stands out, one sentence each."""
+    """The findings, one sentence each."""
     return [
         line
         for line in (
-            _case_2_and_9(r),
+            _case_2(r),
+            _case_9_sign(r),
+            _readings(r),
             _listing_mistakes(r),
             _shapes(r),
             _lightness(r),
@@ -85,18 +86,18 @@ def headline_of_all(r: Reproduction) -> str:
 
 
 def _as_printed(r: Reproduction, number: int) -> str:
-    """How the printed curve stands to what the weights ask for."""
+    """The printed curve compared with the moment of the weights."""
     run = r.run(number, PRINTED)
     if _printed_holds(r, f"case-{number}-expected"):
         appendix = r.run(number, "appendix")
         part = 100.0 * (appendix.peak / run.peak - 1.0) if run.peak else 0.0
         more = "more" if part > 0.0 else "less"
-        return f"the appendix asks for {abs(part):.0f} % {more}" if part else ""
+        return f"the appendix needs {abs(part):.0f} % {more}" if part else ""
     if not run.expected_peak:
         return f"as printed {run.peak:.3g} N m, with nothing to hold"
     part = 100.0 * (run.peak / run.expected_peak - 1.0)
-    turned = ", the wrong way round" if run.opposed else ""
-    return f"as printed {abs(part):.0f} % too {'large' if part > 0.0 else 'small'}{turned}"
+    turned = ", of opposite sign" if run.opposed else ""
+    return f"as printed {abs(part):.1f} % too {'large' if part > 0.0 else 'small'}{turned}"
 
 
 def _case_9(r: Reproduction) -> str:
@@ -105,19 +106,37 @@ def _case_9(r: Reproduction) -> str:
         return "The torques as printed hold the arm"
     joint = int(abs(run.watched - run.expected_watched).argmax())
     tau, wanted = run.watched[joint], run.expected_watched[joint]
-    how = "is pushed the wrong way" if tau * wanted < 0.0 else "bears a wrong torque"
+    how = "is given the wrong sign" if tau * wanted < 0.0 else "is given a wrong torque"
     return f"As printed, joint {joint + 1} {how}: {_signed(tau, 0)} for {_signed(wanted, 0)} N m"
 
 
-def _case_2_and_9(r: Reproduction) -> str:
-    effects = {effect.case: effect for effect in r.effects}
-    two, nine = effects[2], effects[9]
-    part = 100.0 * (abs(two.ratio) - 1.0)
+def _case_2(r: Reproduction) -> str:
+    run = r.run(2, PRINTED)
+    part = 100.0 * (run.peak / run.expected_peak - 1.0)
+    sign = "opposite" if run.opposed else "same"
     return (
-        f"As printed, case 2 asks joint {two.joint} for {abs(two.printed):.1f} N m, "
-        f"{abs(part):.0f} % {'more' if part > 0.0 else 'less'} than the {abs(two.table):.1f} N m "
-        f"of the paper's own Table 1, with the {_which(two)} sign. Case 9 sends joint {nine.joint} "
-        f"{_signed(nine.printed)} N m for {_signed(nine.table)} N m: the {_which(nine)} sign."
+        f"As printed, joint 2 needs up to {run.peak:.2f} N m in case 2; with the controller's DH "
+        f"and the paper's own gravity it needs {run.expected_peak:.2f} N m: {abs(part):.1f} % too "
+        f"{'large' if part > 0.0 else 'small'}, of {sign} sign."
+    )
+
+
+def _case_9_sign(r: Reproduction) -> str:
+    (nine,) = (effect for effect in r.effects if effect.case == 9)
+    return (
+        f"Case 9 sends joint {nine.joint} {_signed(nine.printed)} N m where the controller's DH "
+        f"needs {_signed(nine.table)} N m: the {'wrong' if nine.ratio < 0.0 else 'right'} sign."
+    )
+
+
+def _readings(r: Reproduction) -> str:
+    two = next(effect for effect in r.effects if effect.case == 2)
+    return (
+        "Table 1 prints −a2 and −a3. With the appendix's a2 = −0.425 m that is +0.425 m, which is "
+        "the listing's vector and not the robot's: table and listing then differ in the sign of "
+        f"link 5 only ({two.literal_peak:.2f} against {r.run(2, PRINTED).peak:.2f} N m in case 2), "
+        "and both contradict the appendix. With a2 > 0 the table is the controller's DH, and the "
+        "listing has lost two more signs."
     )
 
 
@@ -127,8 +146,9 @@ def _listing_mistakes(r: Reproduction) -> str:
     diagnosis = r.listing_mistakes.diagnosis
     found = "; ".join(sentence(mistake, diagnosis.pair) for mistake in diagnosis.mistakes)
     return (
-        "With the listing's own mistakes repaired, its largest distance from Table 1's torques "
-        f"falls from {gap:.0f} to {left:.1g} N m. The mistakes, as diagnosis finds them: {found}."
+        "Compared with the controller's DH under one gravity, diagnosis finds in the listing: "
+        f"{found}. Repairing them reduces the largest torque difference in the cases from "
+        f"{gap:.0f} to {left:.1g} N m."
     )
 
 
@@ -138,9 +158,9 @@ def _shapes(r: Reproduction) -> str:
     if held < len(shapes):
         return f"Of {len(shapes)} claims on the shape of a curve, {held} hold as printed."
     return (
-        f"All {held} claims on the shape of a curve hold for the program as printed: gravity's "
-        "torque on the joint that turns is a sine for any arm, so that no shape can show a wrong "
-        "number."
+        f"All {held} claims on the shape of a curve hold for the program as printed: the gravity "
+        "torque of the joint that turns is a sine for any arm, so that a shape cannot reveal a "
+        "wrong number."
     )
 
 
@@ -186,10 +206,6 @@ def _shape_claims(r: Reproduction) -> list[str]:
 def _weightless(r: Reproduction) -> bool:
     """Whether case 8's torque is zero for every model."""
     return not any(run.peak for run in r.cases if run.case.number == 8)
-
-
-def _which(effect: MistakeEffect) -> str:
-    return "wrong" if effect.ratio < 0.0 else "right"
 
 
 def _signed(value: float, decimals: int = 1) -> str:

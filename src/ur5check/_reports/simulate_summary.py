@@ -16,7 +16,7 @@ def verdict(s: StaticHold) -> str:
     torques = f"the torques that hold {model}, {how}"
     if s.stands:
         return f"{plant} stands for {s.seconds:g} s under {torques}."
-    return f"{plant} moves under {torques}: its tool leaves its place after {_after(s)}."
+    return f"{plant} moves under {torques}: {_left(s)}."
 
 
 def summarize(s: StaticHold) -> list[str]:
@@ -33,9 +33,15 @@ def reason(s: StaticHold) -> str:
     )
 
 
-def _after(s: StaticHold) -> str:
-    left = 0.0 if s.left_after is None else s.left_after
-    return f"{1e3 * left:.0f} ms" if left < 1.0 else f"{left:.2f} s"
+def _left(s: StaticHold) -> str:
+    if s.tool_left_after is not None:
+        return f"its tool has moved by {1e3 * STILL:g} mm after {_time(s.tool_left_after)}"
+    angle = f"{np.degrees(s.still_angle):.2g}°"
+    return f"a joint has turned by more than {angle} after {_time(s.left_after or 0.0)}"
+
+
+def _time(seconds: float) -> str:
+    return f"{1e3 * seconds:.1f} ms" if seconds < 1.0 else f"{seconds:.2f} s"
 
 
 def _torque(s: StaticHold) -> str:

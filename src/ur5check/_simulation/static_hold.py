@@ -105,6 +105,19 @@ class StaticHold:
         return float(self.motion.t[away[0]]) if len(away) else None
 
     @property
+    def tool_left_after(self) -> float | None:
+        """The instant at which the tool has moved by STILL [s]; None if it never does.
+
+        Between instants the displacement is taken as quadratic in time, as from rest.
+        """
+        away = np.flatnonzero(self.tool_drift > STILL)
+        if not len(away):
+            return None
+        until = slice(away[0] - 1, away[0] + 1)
+        root = np.sqrt(self.tool_drift[until])
+        return float(np.interp(np.sqrt(STILL), root, self.motion.t[until]))
+
+    @property
     def stands(self) -> bool:
         """Whether neither the tool nor a joint moved visibly."""
         return self.left_after is None

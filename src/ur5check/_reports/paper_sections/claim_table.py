@@ -1,4 +1,4 @@
-"""The claims: what came of each in the paper, and of each for every model."""
+"""The claims: the verdict on each, and on each for every model."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _BOUNDS = {"at most": "≤", "at least": "≥", "below": "<", "above": ">"}
 
 
 def claims_section(r: Reproduction, *, written_out: bool) -> Section:
-    """One row a claim; written out, also one row for every model it was put to, and the tests."""
+    """One row a claim; written out, also one row a model it was tested on, and the tests."""
     tables = [_summary(r)]
     if written_out:
         tables += [_every_model(r), _tests(r)]
@@ -24,7 +24,7 @@ def _summary(r: Reproduction) -> Table:
     return Table(
         (
             Column("claim"),
-            Column("came out"),
+            Column("verdict"),
             Column("as printed", number=True),
             Column("must be", number=True),
             Column("unit"),
@@ -34,14 +34,15 @@ def _summary(r: Reproduction) -> Table:
             _row(claim.text, verdict, r.outcomes(claim.id)) for claim, verdict in r.verdicts.items()
         ),
         note="Confirmed: what the paper printed passes. After repair: it fails as printed, and "
-        "passes once the listing's mistakes are repaired. Refuted: it fails, repaired or not.",
+        "passes once the mistake is repaired. Refuted: it fails, and no repair makes it pass.",
     )
 
 
 def _row(text: str, verdict: str, outcomes: tuple[ClaimOutcome, ...]) -> Row:
     printed = [o for o in outcomes if o.form == "printed"]
-    shown = printed[0] if printed else outcomes[0]
-    cells = (text, verdict, residue(shown.value), _limit(shown), shown.unit, shown.why)
+    shown = printed[0]
+    why = "; ".join(o.why for o in printed if o.why)
+    cells = (text, verdict, residue(shown.value), _limit(shown), shown.unit, why)
     return Row(cells, bad=verdict == "refuted")
 
 
@@ -53,7 +54,7 @@ def _every_model(r: Reproduction) -> Table:
             Column("value", number=True),
             Column("must be", number=True),
             Column("unit"),
-            Column("came out"),
+            Column("verdict"),
             Column("why"),
         ),
         tuple(

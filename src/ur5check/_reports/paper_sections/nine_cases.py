@@ -1,4 +1,4 @@
-"""The nine cases, model by model, and what the listing's mistakes do to each."""
+"""The nine cases, model by model, and the effect of the listing's mistakes on each."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def cases_section(r: Reproduction, pictures: Mapping[int, str]) -> Section:
 
 
 def listing_mistakes_section(r: Reproduction) -> Section:
-    """The printed torque, the same with the mistakes repaired, and Table 1's."""
+    """The printed torque, with the mistakes repaired, and by both readings of Table 1."""
     diagnosis = r.listing_mistakes.diagnosis
     lines = [
         f"{sentence(found, diagnosis.pair)}: {figures(found.before)} → {residue(found.after)} N m "
@@ -42,8 +42,9 @@ def listing_mistakes_section(r: Reproduction) -> Section:
             Column("torque"),
             Column("as printed [N m]", number=True),
             Column("mistakes repaired [N m]", number=True),
-            Column("Table 1 [N m]", number=True),
-            Column("printed over Table 1", number=True),
+            Column("controller's DH [N m]", number=True),
+            Column("printed over DH", number=True),
+            Column("Table 1 read literally [N m]", number=True),
         ),
         tuple(
             Row(
@@ -54,14 +55,16 @@ def listing_mistakes_section(r: Reproduction) -> Section:
                     figures(e.repaired),
                     figures(e.table),
                     figures(e.ratio),
+                    figures(e.literal),
                 ),
                 bad=e.gap > e.left and abs(e.ratio - 1.0) > 0.01,
             )
             for e in r.effects
         ),
-        note="Where Table 1's torque is largest. Cases without torque are left out.",
+        note="Where the torque of the controller's DH is largest, under the listing's gravity. "
+        "Cases without torque are omitted. Read literally: with the appendix's a2 = −0.425 m.",
     )
-    return Section("What the listing's own mistakes do", tuple(lines), (table,))
+    return Section("The effect of the listing's mistakes", tuple(lines), (table,))
 
 
 def _curves(r: Reproduction) -> Table:
@@ -90,8 +93,8 @@ def _curves(r: Reproduction) -> Table:
         ),
         tuple(rows),
         title="Cases 1 to 8: torque ≈ amplitude · sin(θ + phase)",
-        note="Residual: what the sine leaves of the curve, its offset included. Should be: the "
-        "peak that the model's own weights ask for, on the UR5's geometry.",
+        note="Residual: of the fit, its offset included. Should be: the peak moment of the "
+        "model's own weights, on the UR5's geometry.",
     )
 
 

@@ -36,7 +36,7 @@ def formulas_section(r: Reproduction) -> Section:
             Column("eq. 3 would need a length of [m]", number=True),
         ),
         tuple(rows),
-        note="I in kg m². Cylinders are the appendix's. A formula is believed if it gives every "
-        "digit that is printed.",
+        note="I in kg m². Cylinders are the appendix's. A formula is accepted if it gives "
+        "every printed digit.",
     )
     return Section("The inertia formulas, eqs 3 to 8", tables=(table,))
