@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from ur5check._paper.claims import OF_CASES, OF_LIMITS, OF_NUMBERS
+from ur5check._paper.claims import OF_CASES, OF_DERIVATION, OF_GEOMETRY, OF_LIMITS, OF_NUMBERS
 from ur5check._paper.evidence import Evidence, gather
 from ur5check._paper.reproduction import Reproduction, judge
 
@@ -16,4 +16,4 @@ def evidence() -> Evidence:
 
 @pytest.fixture(scope="session")
 def reproduction(evidence: Evidence) -> Reproduction:
-    return judge(evidence, (*OF_NUMBERS, *OF_CASES, *OF_LIMITS))
+    return judge(evidence, (*OF_GEOMETRY, *OF_DERIVATION, *OF_NUMBERS, *OF_CASES, *OF_LIMITS))

@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ur5check._paper.case_runs import Run
+from ur5check._paper.paper_models import PRINTED, REPAIRED
 from ur5check._robot.transforms import Array
+
+MODELS = (PRINTED, REPAIRED, "appendix", "erd-ur5", "appendix by Pinocchio")
 
 
 def with_curve(run: Run, torque: Array) -> Run:

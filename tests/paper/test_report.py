@@ -71,7 +71,7 @@ def test_the_verdict_stands_first(reproduction: Reproduction) -> None:
     text = render_text(paper_document(reproduction))
     title, blank, verdict, *_ = text.splitlines()
     assert (title, blank) == ("The paper, claim by claim", "")
-    assert verdict.startswith("REPRODUCED: of 22 claims of the paper, 12 are confirmed, 6 only")
+    assert verdict.startswith("REPRODUCED: of 28 claims of the paper, 12 are confirmed, 9 only")
     assert all(f"\n{number}     τ" in text for number in range(1, 9))
 
 
@@ -108,7 +108,7 @@ def test_a_tensor_without_a_formula_is_shown_without(
 
 def test_pictures_are_linked_with_what_there_is_to_see(reproduction: Reproduction) -> None:
     document = paper_document(reproduction, pictures={2: "my figures/case 2.svg"})
-    says = "Case 2. Not as expected; as printed 74 % too large, the wrong way round"
+    says = "Case 2. Not as expected; as printed 74.5 % too large, of opposite sign"
     assert f"\n\n![{says}](my%20figures/case%202.svg)\n" in render_markdown(document)
     assert f"picture: my figures/case 2.svg: {says}" in render_text(document).replace("\n", " ")
     assert "picture: " not in render_text(paper_document(reproduction))
