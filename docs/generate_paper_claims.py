@@ -31,7 +31,7 @@ def page(r: Reproduction) -> str:
         together=headline_of_all(r),
         summary=summary(r)[0].upper() + summary(r)[1:],
         sentences="\n".join(f"- {line}" for line in summarize(r)),
-        verdicts=table(("claim", "came out", "as printed", "must be", "why"), verdicts(r)),
+        verdicts=table(("claim", "verdict", "as printed", "must be", "why"), verdicts(r)),
         listing_mistakes="\n".join(
             f"- {finding.sentence}." for finding in r.listing_mistakes.findings
         ),
@@ -41,11 +41,16 @@ def page(r: Reproduction) -> str:
                 "torque",
                 "as printed [N m]",
                 "mistakes repaired [N m]",
-                "Table 1 [N m]",
+                "controller's DH [N m]",
                 "ratio",
+                "Table 1 read literally [N m]",
             ),
             (
-                (e.case, f"τ{e.joint}", *map(figures, (e.printed, e.repaired, e.table, e.ratio)))
+                (
+                    e.case,
+                    f"τ{e.joint}",
+                    *map(figures, (e.printed, e.repaired, e.table, e.ratio, e.literal)),
+                )
                 for e in r.effects
             ),
         ),
@@ -60,7 +65,7 @@ def page(r: Reproduction) -> str:
 
 
 def section(r: Reproduction, case: Case) -> str:
-    """One case: its picture, and what each model has for it."""
+    """One case: its figure, and the numbers of each model."""
     runs = [run for run in r.cases if run.case is case]
     watched = "all six torques" if case.watched is None else f"τ{case.watched}"
     about = [claim for claim in r.verdicts if claim.id.startswith(f"case-{case.number}-")]
@@ -83,7 +88,7 @@ def section(r: Reproduction, case: Case) -> str:
 
 
 def case_row(r: Reproduction, run: Run, about: list[Claim]) -> list[object]:
-    """A model's numbers, and what came of each claim on it."""
+    """A model's numbers, and the verdict on each claim about it."""
     came = [next((o.verdict for o in of(r, claim, run)), "") for claim in about]
     if run.harmonic is None:
         numbers = [figures(x) if abs(x) > run.rounding else "0" for x in run.watched]
@@ -98,7 +103,7 @@ def case_row(r: Reproduction, run: Run, about: list[Claim]) -> list[object]:
 
 
 def of(r: Reproduction, claim: Claim, run: Run) -> Iterator[ClaimOutcome]:
-    """What came of a claim on the run's model."""
+    """The outcomes of a claim on the run's model."""
     return (o for o in r.outcomes(claim.id) if o.model == run.model.name)
 
 
@@ -106,12 +111,13 @@ def verdicts(r: Reproduction) -> Iterator[tuple[str, ...]]:
     """One row a claim."""
     signs = {"at most": "≤", "at least": "≥", "below": "<", "above": ">"}
     for claim, verdict in r.verdicts.items():
-        shown = next(o for o in r.outcomes(claim.id) if o.form == "printed")
+        printed = [o for o in r.outcomes(claim.id) if o.form == "printed"]
+        shown = printed[0]
         unit = "" if claim.unit == "1" else f" {claim.unit}"
         small = 0.0 < abs(shown.value) < ROUNDING
         value = "rounding" if small else f"{residue(shown.value)}{unit}"
         limit = f"{signs[shown.bound]} {residue(shown.limit)}{unit}"
-        yield claim.text, f"**{verdict}**", value, limit, shown.why
+        yield claim.text, f"**{verdict}**", value, limit, "; ".join(o.why for o in printed if o.why)
 
 
 def formulas(r: Reproduction) -> Iterator[tuple[object, ...]]:

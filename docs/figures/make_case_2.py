@@ -27,7 +27,7 @@ ORANGE, BLUE, INK = "#D55E00", "#0072B2", "#333333"  # Okabe and Ito: told apart
 class Case2:
     """Torque of joint 2 [N m] while joint 2 sweeps 0…360° and everything else stays at 0.
 
-    angle : [°];  listing, paper : our recursion;  appendix : Pinocchio on the URDF
+    angle : [°];  listing, paper : our recursion, under the listing's gravity;  appendix : Pinocchio
     """
 
     angle: Array
@@ -36,7 +36,7 @@ class Case2:
     appendix: Array
 
     def excess(self) -> float:
-        """By which part the listing's amplitude exceeds that of the repaired tables."""
+        """By which part the listing's amplitude exceeds that of the controller's DH."""
         return float(np.abs(self.listing).max() / np.abs(self.paper).max()) - 1.0
 
     def opposed(self) -> bool:
@@ -49,9 +49,9 @@ def measure() -> Case2:
     angle = np.arange(361.0)
     q = np.zeros((361, 6))
     q[:, 1] = np.radians(angle)
-    listing, paper = (
-        ur5check.gravity_torque(ur5check.load(name), q)[:, 1] for name in ("paper-listing", "paper")
-    )
+    printed = ur5check.load("paper-listing")
+    controller = ur5check.load("paper").with_gravity(printed.gravity)
+    listing, paper = (ur5check.gravity_torque(arm, q)[:, 1] for arm in (printed, controller))
     appendix = PinocchioEngine(ur5check.load("appendix")).gravity_torque(q)[:, 1]
     return Case2(angle, listing, paper, appendix)
 
@@ -66,7 +66,7 @@ def draw(case: Case2) -> Figure:
     axes.plot(case.angle, case.appendix, color=INK, linewidth=1.6, linestyle=(0, (4, 2)))
     labels = (
         (case.listing, 0, ORANGE, "the paper's listing,\nas printed"),
-        (case.paper, 18, BLUE, "the same tables,\nsigns repaired"),
+        (case.paper, 18, BLUE, "the controller's DH"),
         (case.appendix, -18, INK, "the appendix URDF,\nby Pinocchio"),
     )
     for curve, shift, colour, text in labels:
@@ -78,9 +78,9 @@ def draw(case: Case2) -> Figure:
             va="center",
             color=colour,
         )
-    turned = ", the wrong way round" if case.opposed() else ""
+    turned = ", of opposite sign" if case.opposed() else ""
     axes.set_title(
-        f"Lost minus signs: torque {100 * case.excess():.0f} % too large{turned}",
+        f"Lost minus signs: torque {100 * case.excess():.1f} % too large{turned}",
         loc="left",
         fontsize=13,
         fontweight="bold",

@@ -18,7 +18,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def measure() -> Convergence:
-    """Test 9 again: the appendix's arm under the torques that hold the paper's Table 1, for 1 s."""
+    """Test 9 again: the appendix's arm under the torques that hold the controller's DH, for 1 s."""
     plant, q = ur5check.load("appendix"), case(9).joint_angles()[0]
     tau = ur5check.gravity_torque(pair_up(plant, ur5check.load("paper")).b, q)
     return convergence(plant, q, tau, progress=print)

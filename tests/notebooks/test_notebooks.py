@@ -18,7 +18,7 @@ EXPECTED = {
     "01-paper-against-appendix": (
         2,
         (
-            "74 % above that of the repaired tables",
+            "74.5 % above that of the controller's DH",
             "turned by 180° about z",
             "explained to better than 1e-9 N m: True",
         ),
@@ -36,10 +36,10 @@ EXPECTED = {
         (
             "our recursion and Pinocchio agree on the appendix: True",
             "claims on a shape: 6; all hold as printed: True",
-            "as printed, 74 % too large and turned round: True",
+            "as printed, 74.5 % too large and of opposite sign: True",
             "eight arms of nonsense, all sines: True",
-            "with these repaired, every case is Table 1's: True",
-            "pushed the wrong way: True",
+            "with these repaired, every case is the controller's: True",
+            "of the wrong sign: True",
             "m((3r)² + l²)·0.08333",
         ),
     ),
