@@ -14,6 +14,7 @@ from ur5check._paper.cases import CASES, Case
 from ur5check._paper.claim import Claim, ClaimOutcome
 from ur5check._paper.inertia_formulas import FORMULAS
 from ur5check._paper.reproduction import Reproduction, reproduce
+from ur5check._reports.mistake_sentences import sentence
 from ur5check._reports.paper_summary import headline, headline_of_all, summarize, summary
 from ur5check._reports.wording import figures, residue
 
@@ -33,7 +34,8 @@ def page(r: Reproduction) -> str:
         sentences="\n".join(f"- {line}" for line in summarize(r)),
         verdicts=table(("claim", "verdict", "as printed", "must be", "why"), verdicts(r)),
         listing_mistakes="\n".join(
-            f"- {finding.sentence}." for finding in r.listing_mistakes.findings
+            f"- {sentence(found, r.listing_mistakes.diagnosis.pair)}."
+            for found in r.listing_mistakes.diagnosis.mistakes
         ),
         effects=table(
             (
