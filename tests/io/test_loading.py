@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pinocchio as pin
 import pytest
-from robots import GOOD, robot_path
 
 from ur5check._errors import ModelError, UsageError
 from ur5check._io.loading import load
 from ur5check._io.shipped_models import SHIPPED_MODELS
+from urdf_examples import GOOD, robot_path
 
 XACRO = """\
 <robot name="{name}" xmlns:xacro="http://www.ros.org/wiki/xacro">

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 import pytest
-from kinematics import assert_same_inertias, assert_same_kinematics
-from robots import GOOD, robot_path
 
+from kinematics_comparison import assert_same_inertias, assert_same_kinematics
 from ur5check._errors import ModelError
 from ur5check._io.pinocchio_model import read_pinocchio_model
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._robot import Limits
+from urdf_examples import GOOD, robot_path
 
 SLANTED = np.array([1.0, 2.0, -3.0]) / np.sqrt(14.0)
 INDEFINITE = np.array([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, -1.0])

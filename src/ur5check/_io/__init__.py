@@ -1,6 +1,4 @@
-"""Where an arm comes from: files, the shipped models, engines' models.
+"""Reading and writing models: files, the shipped models, models of engines.
 
-All reading, and all strictness, is here.
-
-`load` in `loading` is the one door; the readers behind it stand in files of their own.
+`loading.load` reads any of them; `formats` lists the file formats, one folder each.
 """

@@ -1,4 +1,4 @@
-"""What a written file says of itself: who wrote it, from what, and what it could not carry."""
+"""Comments at the top of a written file: version, inputs, and what the format cannot carry."""
 
 from __future__ import annotations
 

@@ -27,10 +27,10 @@ _EPS = float(np.finfo(np.float64).eps)
 _DECIMALS = 15
 # An inertia goes from one frame to another and back through two rotations a side, each a sum of
 # three products, by a matrix that is orthogonal to about ε: some 8 ε of the largest length or
-# moment involved, at most.  A grid must be twice as wide, to be felt by nobody's rounding.
+# moment involved, at most.  A grid must be twice as wide.
 _MOVED = 20 * _EPS
 _NO_LENGTH = 1e-30  # [m]: below it a grid would meet the smallest doubles, and nothing else
-_PATIENCE = 8  # ways there and back; the first stays, unless a number stood between two grid points
+_MOST_PASSES = 8  # the first pass suffices, unless a number stood between two grid points
 
 Numbers = tuple[float, ...]
 
@@ -65,10 +65,10 @@ def quaternion_pose(T: Transform) -> Pose:
 def round_trip_inertia(link: Link, link_tip_frame: Transform) -> Inertia:
     """The link's inertia in the frame at its joint.
 
-    far_end : P_i as a reader will make it of what is written
+    link_tip_frame : P_i as a reader will compute it from the written numbers
     """
     here = _at_joint(link.inertia, link.link_tip_frame)
-    for _ in range(_PATIENCE):
+    for _ in range(_MOST_PASSES):
         again = _at_joint(here.expressed_in(link_tip_frame.inverse()), link_tip_frame)
         if _same(again, here):
             break
@@ -80,7 +80,7 @@ def _pose(
     T: Transform, write: Callable[[Array], Numbers], read: Callable[[Numbers], Array]
 ) -> Pose:
     turn = write(T.R)
-    for _ in range(_PATIENCE):
+    for _ in range(_MOST_PASSES):
         again = write(read(turn))
         if again == turn:
             break

@@ -1,6 +1,6 @@
-"""The shapes of an arm's links, as its URDF shows them: what plausibility holds numbers against.
+"""The shapes of an arm's links in its URDF, with which plausibility compares masses and inertias.
 
-The dynamics never look here.  A shape that cannot be read is therefore a note, not an error.
+Dynamics do not use shapes, so a shape that cannot be read is a note, not an error.
 """
 
 from __future__ import annotations

@@ -1,5 +1,4 @@
-"""An SDF model to a `SerialArm`: where things stand as Drake says, with libsdformat inside, and
-what they weigh as the file says."""
+"""An SDF model to a `SerialArm`: poses from Drake (libsdformat), inertias from the text."""
 
 from __future__ import annotations
 
@@ -64,7 +63,7 @@ def read_sdf(
 
 
 def _parsed(text: SdfText) -> tuple[Any, tuple[str, ...]]:
-    """Drake's plant, and what Drake had to say."""
+    """Drake's plant and its captured warnings."""
     try:
         from pydrake.multibody.parsing import Parser
         from pydrake.multibody.plant import MultibodyPlant

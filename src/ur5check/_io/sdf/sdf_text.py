@@ -1,9 +1,9 @@
 """The strict reading of an SDF: one model, and what its links weigh.
 
-SDFormat has defaults that nobody means: a link without `<inertial>` weighs 1 kg and has 1 kg m²
-about each axis.  libsdformat fills them in without a word, so they are looked for here, in the
-text, before it reads it.  Where things stand (poses relative to frames, joints relative to links)
-is libsdformat's business; what they weigh is read here, with every digit.
+SDFormat has defaults that are hardly ever meant: a link without `<inertial>` has 1 kg and 1 kg m²
+about each axis.  libsdformat fills them in without a warning, so this file looks for them in the
+text first.  Poses (relative to frames, joints relative to links) are left to libsdformat; masses
+and inertias are read here, with every digit.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class SdfText:
         }
         for name, joint in self.joints.items():
             self._check_joint(name, joint)
-        # Drake is asked for places only: it is not to judge, or warn of, what it is not asked for.
+        # Drake computes poses only; without these parts it neither refuses nor warns about them.
         for node in list(self.root.iter("inertial", *_NOT_READ)):
             node.getparent().remove(node)
         gravity = None if self.world is None else self.world.find("gravity")
@@ -111,7 +111,7 @@ class SdfText:
         self.reader.fail(node, element, problem, fix, value)
 
     def warnings_of_drake(self, error: Exception) -> ModelError:
-        """Drake's refusal in our words."""
+        """Drake's refusal as a ModelError."""
         said = str(error)
         found = re.search(r"\.sdf:(\d+)", said)
         node = self._places.at(int(found[1])) if found else None
@@ -124,7 +124,7 @@ class SdfText:
 
     @staticmethod
     def in_our_words(said: str) -> str:
-        """One line, without the place in a text that nobody has seen."""
+        """One line, without the place, which refers to the rewritten text."""
         line = " ".join(said.split())
         return re.sub(r"^(<[\w-]+>(\.sdf)?(:\d+)?: *)?((error|warning): *)?", "", line).rstrip(".")
 

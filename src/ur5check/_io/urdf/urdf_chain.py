@@ -1,6 +1,6 @@
 """Which of a robot's joints make the arm: the path from a base link to a tip link.
 
-A graph of names only.  What the links weigh and where the joints stand is `urdf_file`'s business.
+A graph of names only: masses and poses are in `urdf_values`.
 """
 
 from __future__ import annotations

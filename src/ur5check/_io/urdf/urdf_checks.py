@@ -1,11 +1,11 @@
-"""The strict reading of a URDF, before anyone else sees it.
+"""Strict checks of a URDF, before any value is read.
 
-Readers of URDF forgive much, and each forgives something else: Pinocchio drops an `<inertial>` that
-it cannot read, yourdfpy turns a missing `ixx` into 1.0, both take a negative mass.  A file that
-passes here means the same to all of them.
+Readers of URDF are lenient in different ways: Pinocchio drops an `<inertial>` that it cannot read,
+yourdfpy turns a missing `ixx` into 1.0, both accept a negative mass.  A file that passes here is
+read alike by all of them.
 
-What is *not* asked here is whether the file describes an arm: which joints form a chain, and
-whether each moving link has a mass, depends on the base and tip chosen (`urdf_chain`, `urdf_file`).
+Whether the file describes an arm is not checked here: which joints form a chain, and whether each
+moving link has a mass, depends on base and tip (`urdf_chain`, `chain_assembly`).
 """
 
 from __future__ import annotations

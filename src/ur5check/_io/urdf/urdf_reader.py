@@ -1,8 +1,7 @@
 """A URDF's text to a `SerialArm`.
 
-Three readings, one after the other: `check_urdf` refuses what two readers could take differently,
-`Robot` has its numbers, and `assemble` makes an arm of the chain from
-base to tip.
+`check_urdf` refuses what two readers could read differently, `Robot` holds the numbers, and
+`assemble` builds the arm from the chain between base and tip.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Is it a tree?  Every joint hangs one link on another, and all of them hang on one root."""
+"""Checks that joints and links form one tree: one root, and one parent for every other link."""
 
 from __future__ import annotations
 

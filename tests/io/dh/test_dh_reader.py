@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 import pytest
-from kinematics import link_poses
 
+from kinematics_comparison import link_poses
 from ur5check._errors import ModelError
 from ur5check._io.dh.dh_reader import read_dh
 from ur5check._robot import Limits, SerialArm, Transform

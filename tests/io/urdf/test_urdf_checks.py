@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from robots import GOOD, spoiled
 
 from ur5check._errors import ModelError
 from ur5check._io.urdf.urdf_checks import check_urdf
+from urdf_examples import GOOD, spoiled
 
 TENSOR = 'ixx="0.02" ixy="0.001" ixz="0" iyy="0.03" iyz="0" izz="0.04"'
 LIMIT = '<limit lower="-1.5" upper="2.5" effort="10" velocity="3"/>'

@@ -7,12 +7,12 @@ import hashlib
 import numpy as np
 import pinocchio as pin
 import pytest
-from kinematics import assert_same_inertias, assert_same_kinematics, only_these_joints
-from robots import GOOD, robot_path, spoiled
 
+from kinematics_comparison import assert_same_inertias, assert_same_kinematics, only_these_joints
 from ur5check._errors import ModelError
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._robot import Limits, SerialArm
+from urdf_examples import GOOD, robot_path, spoiled
 
 UR = {"base": "base_link", "tip": "tool0"}
 ROBOTS = [
