@@ -84,14 +84,14 @@ def test_diff_exits_as_diff_does(ur5check: Command) -> None:
 @pytest.mark.parametrize(
     ("arguments", "schema"),
     [
-        (("validate", "paper", *FEW), "validation"),
-        (("diff", "erd-ur5", "appendix", *FEW, "--quick"), "difference"),
-        (("show", "appendix"), "arm"),
+        (("validate", "paper", *FEW), "validate"),
+        (("diff", "erd-ur5", "appendix", *FEW, "--quick"), "diff"),
+        (("show", "appendix"), "show"),
     ],
 )
 def test_formats(ur5check: Command, arguments: tuple[object, ...], schema: str) -> None:
     report = json.loads(ur5check(*arguments, "--format", "json").out)
-    assert report["schema"] == f"ur5check.{schema}/1"
+    assert report["schema"] == f"ur5check.{schema}/2"
     assert ur5check(*arguments, "--format", "markdown").out.startswith("# ")
     assert "── " in ur5check(*arguments, "--format", "text").out
 
@@ -121,11 +121,11 @@ def test_gravity_is_used(ur5check: Command) -> None:
     said = ur5check(
         "diff", "paper", "appendix", *FEW, "--quick", "--gravity", 0, 0, 0, "--format", "json"
     )
-    weightless = json.loads(said.out)["torques"]
+    weightless = json.loads(said.out)["comparison"]["torques"]
     heavy = json.loads(
         ur5check("diff", "paper", "appendix", *FEW, "--quick", "--format", "json").out
     )
-    assert weightless[2]["rms"] < heavy["torques"][2]["rms"]
+    assert weightless[2]["rms"] < heavy["comparison"]["torques"][2]["rms"]
 
 
 def test_base_and_tip_choose_among_branches(ur5check: Command, two_arms: Path) -> None:

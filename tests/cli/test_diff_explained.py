@@ -61,12 +61,13 @@ def test_what_was_planted_is_found_and_mended(
     )
     assert code == 1, err
     found = json.loads(report.read_text(encoding="utf-8"))
-    findings = {f["id"]: (f["side"], f["where"]) for f in found["diagnosis"]}
+    explained = found["explanation"]
+    findings = {f["id"]: (f["side"], f["where"]) for f in explained["diagnosis"]}
     assert findings["centre-sign"] == ("b", [2])
     assert findings["tensor-scaled"][1] == [3]
-    assert found["unexplained"] == []
-    assert found["diagnosis"][-1]["after"] == pytest.approx(0.0, abs=1e-9)
-    assert max(abs(x) for case in found["worst_case"] for x in case["state"]["qdd"]) == 5.0
+    assert explained["unexplained"] == []
+    assert explained["diagnosis"][-1]["after"] == pytest.approx(0.0, abs=1e-9)
+    assert max(abs(x) for case in explained["worst_case"] for x in case["state"]["qdd"]) == 5.0
     assert found["command"].endswith("--acceleration 5.0")
     said = [line for line in err.splitlines() if "repaired: " in line]
     assert any("Link 2 of " in line and "centre of mass" in line for line in said)

@@ -23,7 +23,7 @@ def test_the_suffix_chooses_the_format(ur5check: Command, tmp_path: Path) -> Non
     for name in ("r.json", "r.md", "r.txt"):
         said = ur5check("show", "paper", "-o", tmp_path / name)
         assert (said.code, said.out) == (0, "")
-    assert json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["name"] == "paper"
+    assert json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["model"]["name"] == "paper"
     assert (tmp_path / "r.md").read_text(encoding="utf-8").startswith("# paper\n")
     assert (tmp_path / "r.txt").read_text(encoding="utf-8").startswith("paper\n")
     said = ur5check("show", "paper", "-o", tmp_path / "r.md", "--format", "json")

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 import ur5check
+from report_schema import read_report
 from ur5check import SerialArm
 from ur5check._io.shipped_models import SHIPPED_MODELS
 from ur5check._reports.diff_document import diff_document
 from ur5check._reports.diff_json import diff_json
-from ur5check._reports.json_values import json_text
+from ur5check._reports.json_report import json_text
 from ur5check._reports.simulate_document import simulate_document
 from ur5check._reports.sweep_document import sweep_document
 from ur5check._reports.terminal import render_text
@@ -54,7 +53,7 @@ def test_diff(versions: tuple[SerialArm, SerialArm]) -> None:
         assert all(arm.source.inputs[0][0] in title for arm in versions)
     assert f"DIFFER: {a} and {b} " in text
     assert f"Torque difference: {a} − {b}" in text
-    report: dict[str, Any] = json.loads(json_text(diff_json(d)))
+    report = read_report(json_text(diff_json(d)))["comparison"]
     assert [report[side]["label"] for side in "ab"] == [a, b]
     assert [report[side]["name"] for side in "ab"] == [arm.name for arm in versions]
 

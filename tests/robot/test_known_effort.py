@@ -14,7 +14,7 @@ from ur5check import SerialArm
 from ur5check._comparison.arm_pair import pair_up
 from ur5check._reports.diff_document import diff_document
 from ur5check._reports.diff_json import diff_json
-from ur5check._reports.json_values import json_text
+from ur5check._reports.json_report import json_text
 from ur5check._reports.show_document import show_document
 from ur5check._reports.terminal import render_text
 from ur5check._robot.serial_arm import Limits
@@ -57,7 +57,7 @@ def test_no_report_divides_by_it(effort: float | None) -> None:
         assert "inf" not in text
         assert "nan" not in text
     report = json.loads(json_text(diff_json(d)))
-    first = report["torques"][0]
+    first = report["comparison"]["torques"][0]
     assert (first["effort_limit"], first["max_share_of_effort"]) == (None, None)
     assert math.isnan(ur5check.sweep(a, b, states=50).share_of_effort()[0])
 

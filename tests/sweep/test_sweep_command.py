@@ -14,13 +14,11 @@ import numpy as np
 import pytest
 from pyarrow import parquet
 
-from repository import REPOSITORY
+from report_schema import VALIDATOR, read_report
 from ur5check._cli.main import main
 from ur5check._sweep.progress import duration
 from ur5check._sweep.sweep import sweep
 
-DOCS = REPOSITORY / "docs"
-SCHEMA = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
 BASE = ("sweep", "paper", "appendix", "--states", "2e3", "--tolerance", "1")
 
 
@@ -48,7 +46,7 @@ def test_the_verdict_comes_first_and_progress_on_stderr(say):
 def test_equal_models_agree(say):
     code, out, _ = say("sweep", "paper", "paper", "--states", "500", "--quiet")
     assert code == 0
-    assert "AGREE: paper and paper ask for the same torques at 500 random states" in out
+    assert "AGREE: A and B ask for the same torques at 500 random states" in out
     assert "Over the limit" not in out
 
 
@@ -59,16 +57,10 @@ def test_markdown(say, tmp_path):
     assert "Where the tool is" in text
 
 
-def report(text: str) -> dict:
-    value = json.loads(text)
-    jsonschema.Draft202012Validator(SCHEMA).validate(value)
-    return value
-
-
 @pytest.mark.parametrize("how", ["random", "sobol", "grid"])
 def test_json_is_as_the_schema_says(say, how):
-    value = report(say(*BASE, "--sample", how, "--format", "json", "--quiet")[1])
-    assert value["schema"] == "ur5check.sweep/1"
+    value = read_report(say(*BASE, "--sample", how, "--format", "json", "--quiet")[1])
+    assert value["schema"] == "ur5check.sweep/2"
     assert value["sample"]["kind"] == how
     assert value["states"] == (3**6 if how == "grid" else 2000)
     for joint in value["joints"]:
@@ -79,19 +71,21 @@ def test_json_is_as_the_schema_says(say, how):
     assert largest.max() == max(joint["max"] for joint in value["joints"])
 
 
-def test_the_schema_refuses_a_wrong_report(say):
-    value = report(say(*BASE, "--format", "json", "--quiet")[1])
+def test_the_schema_refuses_a_wrong_read_report(say):
+    value = read_report(say(*BASE, "--format", "json", "--quiet")[1])
     value["joints"][0]["rms"] = "small"
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.Draft202012Validator(SCHEMA).validate(value)
+        VALIDATOR.validate(value)
 
 
 def test_the_command_in_the_report_makes_it_again(say):
-    first = report(say(*BASE, "--within-limits", "--threads", 2, "--format", "json", "--quiet")[1])
+    first = read_report(
+        say(*BASE, "--within-limits", "--threads", 2, "--format", "json", "--quiet")[1]
+    )
     words = first["command"].split()
     assert words[:4] == ["ur5check", "sweep", "paper", "appendix"]
     assert "--threads" not in words
-    again = report(say(*words[1:], "--format", "json", "--quiet")[1])
+    again = read_report(say(*words[1:], "--format", "json", "--quiet")[1])
     assert again == first
 
 
@@ -100,7 +94,7 @@ def test_a_log_is_an_input(say, tmp_path):
     header = ",".join(f"{part}{i}" for part in ("q", "qd", "qdd") for i in range(1, 7))
     log.write_text("\n".join([header, ",".join(["0.1"] * 18), ",".join(["0.2"] * 18)]))
     code, out, _ = say("sweep", "paper", "appendix", "--sample", log, "--format", "json", "--quiet")
-    value = report(out)
+    value = read_report(out)
     assert (code, value["states"], value["sample"]["file"]) == (1, 2, "run.csv")
     assert value["inputs"][-1] == {"name": "run.csv", "sha256": value["sample"]["sha256"]}
     before = log.read_bytes()

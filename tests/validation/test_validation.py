@@ -44,7 +44,7 @@ def test_a_wrong_algorithm_is_told_apart_from_different_numbers():
     result = replace(ur5check.validate(arm, samples=10), models=(model,))
     assert not result.algorithm_right
     assert result.bodies_possible
-    assert result.accounted
+    assert result.explained
     assert not result.passed
     assert "WRONG" in summary.summarize(result)[0]
 

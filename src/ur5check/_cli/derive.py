@@ -83,7 +83,7 @@ def _text(target: str, arm: SerialArm, derivation: Derivation, command: str) -> 
     from .._dynamics.symbolic.to_python import to_python
     from .._dynamics.symbolic.to_sympy import to_sympy
     from .._reports.derive_json import derive_json
-    from .._reports.json_values import json_text
+    from .._reports.json_report import json_text
 
     if target == "json":
         return json_text(derive_json(arm, derivation, command=command))

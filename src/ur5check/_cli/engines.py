@@ -92,7 +92,8 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _list(args: argparse.Namespace) -> int:
-    from .._reports.engines_list_document import engines_list_document, engines_list_json
+    from .._reports.engines_list_document import engines_list_document
+    from .._reports.engines_list_json import engines_list_json
 
     check_output(args.output, ())
     text = rendered(
@@ -148,7 +149,7 @@ def _fleet(args: argparse.Namespace) -> int:
     from .._engines.audit.engine_comparison import SAME_ROBOT
     from .._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_fleet
     from .._reports.engines_fleet_document import engines_fleet_document
-    from .._reports.engines_json import engines_fleet_json
+    from .._reports.engines_fleet_json import engines_fleet_json
 
     args.samples = FLEET_SAMPLES if args.samples is None else args.samples
     args.tolerance = SAME_ROBOT if args.tolerance is None else args.tolerance

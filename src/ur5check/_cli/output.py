@@ -7,13 +7,14 @@ import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from .._errors import UsageError
 from .._files import write_whole
 
 if TYPE_CHECKING:
     from .._reports.document import Document
+    from .._reports.json_report import Report
 
 __all__ = [
     "FORMATS",
@@ -45,11 +46,11 @@ def rendered(
     output: str | None,
     *,
     document: Callable[[], Document],
-    report: Callable[[], dict[str, Any]],
+    report: Callable[[], Report],
 ) -> str:
     """The result as text in the chosen format."""
     if form == "json":
-        from .._reports.json_values import json_text
+        from .._reports.json_report import json_text
 
         return json_text(report())
     if form == "markdown":

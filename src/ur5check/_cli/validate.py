@@ -52,8 +52,8 @@ def run(args: argparse.Namespace) -> int:
     arms = options.load(quiet=args.quiet)
     check_output(args.output, options.files(arms))
 
-    from .._reports.diff_json import validate_json
     from .._reports.validate_document import validate_document
+    from .._reports.validate_json import validate_json
     from .._validation.validation import validate
 
     validation = validate(

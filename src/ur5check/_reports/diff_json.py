@@ -1,47 +1,116 @@
-"""Results as plain values for JSON.  Every field is documented in docs/json.md."""
+"""`ur5check diff` as JSON; `validate` has the same comparison for each pair of models."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import Annotated, Literal
 
+import msgspec
 import numpy as np
+from msgspec import Meta
 
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
+from .._comparison.explanation import Explanation
 from .difference_summary import summarize as summarize_difference
-from .json_head import json_head
-from .json_values import Report, alignment_value, inertia_value, model_value, strict
-from .validate_summary import summarize as summarize_validation
+from .explanation_json import ExplanationValue, explanation_value
+from .explanation_summary import summarize as summarize_explanation
+from .json_report import Report, head
+from .json_values import (
+    AlignmentValue,
+    InertiaValue,
+    Model,
+    Number,
+    State,
+    Vector,
+    Vector3,
+    alignment_value,
+    inertia_value,
+    model_value,
+    state,
+    vector,
+)
 
-if TYPE_CHECKING:
-    from .._comparison.explanation import Explanation
-    from .._validation.law import Outcome
-    from .._validation.validation import Validation
+__all__ = ["Comparison", "DiffReport", "comparison_value", "diff_json"]
 
-__all__ = ["diff_json", "validate_json"]
+Share = Annotated[float, Meta(ge=0.0, le=1.0)]
 
 
-def validate_json(v: Validation, *, command: str = "") -> Report:
-    """`validate` as ur5check.validation/1."""
-    arms = [model.arm for model in v.models]
-    return strict(
-        {
-            **json_head("validation", arms, command, v.seed, v.samples),
-            "verdict": {
-                "passed": v.passed,
-                "algorithm": v.algorithm_right,
-                "bodies": v.bodies_possible,
-                "accounted": v.accounted,
-            },
-            "summary": summarize_validation(v),
-            "models": [
-                {**model_value(model.arm), "reference": model.reference, "route": model.route}
-                for model in v.models
-            ],
-            "checks": [_check(outcome) for outcome in v.outcomes],
-            "differences": [_difference(pair.difference) for pair in v.pairs],
-        }
-    )
+class KinematicsValue(msgspec.Struct, frozen=True):
+    """Largest distance [m] and angle [rad] between the tools, and the state of the distance."""
+
+    position_max: float
+    angle_max: float
+    worst_state: State
+
+
+class LinkPairValue(msgspec.Struct, frozen=True, kw_only=True):
+    """One link's numbers in both models."""
+
+    link: int
+    name_a: str
+    name_b: str
+    a: InertiaValue
+    b: InertiaValue
+    link_vector_a: Vector3
+    link_vector_b: Vector3
+    centre_distance: float
+    moment_ratio: Number
+
+
+class JointTorque(msgspec.Struct, frozen=True, kw_only=True):
+    """τ_a − τ_b of one joint [N m or N]."""
+
+    joint: str
+    rms: float
+    max: float
+    worst_state: State
+    rms_of_a: float
+    effort_limit: Number
+    max_share_of_effort: Number
+
+
+class ContributionValue(msgspec.Struct, frozen=True, kw_only=True):
+    """What one kind of numbers contributes to the torque difference."""
+
+    kind: Literal[
+        "geometry", "gravity", "motor inertia", "mass", "centre of mass", "tensor",
+        "m", "mx", "my", "mz", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz",
+    ]  # fmt: skip
+    link: int | None
+    rms: Vector
+    share: float
+    weight: Share
+
+
+class AttributionValue(msgspec.Struct, frozen=True, kw_only=True):
+    """The torque difference as a sum of contributions and a residual [N m]."""
+
+    contributions: list[ContributionValue]
+    residual_max: float
+
+
+class Comparison(msgspec.Struct, frozen=True, kw_only=True):
+    """Two models compared."""
+
+    agrees: bool
+    summary: list[str]
+    a: Model
+    b: Model
+    alignment: AlignmentValue
+    kinematics: KinematicsValue
+    parameters: list[LinkPairValue]
+    torques: list[JointTorque]
+    attribution: AttributionValue
+
+
+class DiffReport(Report, frozen=True, kw_only=True, tag="ur5check.diff/2"):
+    """Two models compared, and the difference explained."""
+
+    comparison: Comparison
+    summary: list[str]
+    explanation: ExplanationValue | None
+    by_parameter: list[ContributionValue] | None
 
 
 def diff_json(
@@ -50,89 +119,85 @@ def diff_json(
     *,
     parameters: Attribution | None = None,
     command: str = "",
-) -> Report:
-    """`diff` as ur5check.difference/1; its explanation and finer attribution where given."""
-    # Here, not above: `validate` has no explanation, and should not load what makes one.
-    from .explanation_json import attribution_value, explanation_value
+) -> DiffReport:
+    """The report of `ur5check diff`.
 
-    arms = [d.pair.a, d.pair.given_b]
-    head = json_head("difference", arms, command, d.seed, len(d.states))
-    explained = {} if explanation is None else explanation_value(explanation)
-    finer = {} if parameters is None else {"by_parameter": attribution_value(parameters)}
-    return strict({**head, **_difference(d), **explained, **finer})
-
-
-def _check(o: Outcome) -> Report:
-    return {
-        "id": o.id,
-        "about": o.about,
-        "subject": o.subject,
-        "statement": o.statement,
-        "formula": o.formula,
-        "status": o.status,
-        "value": o.value,
-        "tolerance": o.tolerance,
-        "bound": "above" if o.positive else "at most",
-        "unit": o.unit,
-        "samples": o.samples,
-        "worst_state": o.worst_state,
-        "details": o.details,
-    }
+    explanation : of d; None with --quick
+    parameters : d attributed to each parameter, where that was wanted
+    """
+    comparison = comparison_value(d)
+    summary: Sequence[str] = (
+        comparison.summary if explanation is None else summarize_explanation(explanation)
+    )
+    return DiffReport(
+        **head([d.pair.a, d.pair.given_b], command, seed=d.seed, samples=len(d.states)),
+        comparison=comparison,
+        summary=list(summary),
+        explanation=None if explanation is None else explanation_value(explanation),
+        by_parameter=None if parameters is None else _contributions(parameters),
+    )
 
 
-def _difference(d: Difference) -> Report:
-    return {
-        "agrees": d.agrees,
-        "summary": summarize_difference(d),
-        "a": model_value(d.pair.a),
-        "b": model_value(d.pair.given_b),
-        "alignment": alignment_value(d.pair.alignment),
-        "kinematics": {
-            "position_max": d.tool.position,
-            "angle_max": d.tool.angle,
-            "worst_state": d.states[d.tool.worst],
-        },
-        "parameters": [
-            {
-                "link": link.link,
-                "name_a": link.name_a,
-                "name_b": link.name_b,
-                "a": inertia_value(link.a),
-                "b": inertia_value(link.b),
-                "reach_a": link.reach_a,
-                "reach_b": link.reach_b,
-                "centre_distance": link.centre_distance(),
-                "moment_ratio": link.moment_ratio(),
-            }
-            for link in d.parameters
-        ],
-        "torques": _torques(d),
-        "account": _account(d),
-    }
+def comparison_value(d: Difference) -> Comparison:
+    """Two models compared."""
+    return Comparison(
+        agrees=d.agrees,
+        summary=list(summarize_difference(d)),
+        a=model_value(d.pair.a),
+        b=model_value(d.pair.given_b),
+        alignment=alignment_value(d.pair.alignment),
+        kinematics=KinematicsValue(d.tool.position, d.tool.angle, state(d.states[d.tool.worst])),
+        parameters=_parameters(d),
+        torques=_torques(d),
+        attribution=AttributionValue(
+            contributions=_contributions(d.attribution),
+            residual_max=float(np.abs(d.attribution.remainder).max()),
+        ),
+    )
 
 
-def _torques(d: Difference) -> list[Report]:
+def _parameters(d: Difference) -> list[LinkPairValue]:
+    return [
+        LinkPairValue(
+            link=link.link,
+            name_a=link.name_a,
+            name_b=link.name_b,
+            a=inertia_value(link.a),
+            b=inertia_value(link.b),
+            link_vector_a=vector(link.reach_a),
+            link_vector_b=vector(link.reach_b),
+            centre_distance=link.centre_distance(),
+            moment_ratio=link.moment_ratio(),
+        )
+        for link in d.parameters
+    ]
+
+
+def _torques(d: Difference) -> list[JointTorque]:
     share = d.torques.share_of_effort()
     return [
-        {
-            "joint": joint.name,
-            "rms": d.torques.rms[i],
-            "max": d.torques.maximum[i],
-            "worst_state": d.states[int(d.torques.worst[i])],
-            "rms_of_a": d.torques.scale[i],
-            "effort_limit": d.torques.effort[i],
-            "max_share_of_effort": share[i],
-        }
+        JointTorque(
+            joint=joint.name,
+            rms=float(d.torques.rms[i]),
+            max=float(d.torques.maximum[i]),
+            worst_state=state(d.states[int(d.torques.worst[i])]),
+            rms_of_a=float(d.torques.scale[i]),
+            effort_limit=float(d.torques.effort[i]),
+            max_share_of_effort=float(share[i]),
+        )
         for i, joint in enumerate(d.pair.a.joints)
     ]
 
 
-def _account(d: Difference) -> Report:
-    share, rms = d.attribution.share(), d.attribution.rms()
-    return {
-        "contributions": [
-            {"kind": contribution.kind, "link": contribution.link, "rms": rms[k], "share": share[k]}
-            for k, contribution in enumerate(d.attribution.contributions)
-        ],
-        "remainder_max": np.abs(d.attribution.remainder).max(),
-    }
+def _contributions(attribution: Attribution) -> list[ContributionValue]:
+    rms, share, weight = attribution.rms(), attribution.share(), attribution.weight()
+    return [
+        ContributionValue(
+            kind=contribution.kind,
+            link=contribution.link,
+            rms=vector(rms[k]),
+            share=float(share[k]),
+            weight=float(weight[k]),
+        )
+        for k, contribution in enumerate(attribution.contributions)
+    ]

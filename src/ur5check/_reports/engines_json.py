@@ -1,16 +1,93 @@
-"""`engines MODEL` and `engines --fleet` as plain values for JSON (docs/json.md)."""
+"""`ur5check engines MODEL` as JSON."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import Literal
+
+import msgspec
+
 from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport
 from .._engines.audit.engine_reading import Reading
-from .._engines.audit.fleet_comparison import FleetReport
+from .._engines.audit.import_difference import Bearing, Kind
 from .._engines.registry import REFERENCE, REGISTRY
-from .engines_summary import import_clause, summarize
-from .json_head import json_head
-from .json_values import Report, model_value, strict
+from .engines_summary import summarize
+from .json_report import Report, head
+from .json_values import Model, Number, State, Vector3, model_value, state, vector
 
-__all__ = ["engines_fleet_json", "engines_json"]
+__all__ = ["AgreementVerdict", "EnginesReport", "engines_json", "verdict_value"]
+
+StageName = Literal["as read", "repaired"]
+
+
+class AgreementVerdict(msgspec.Struct, frozen=True, kw_only=True):
+    """Whether the engines agree, and the largest torque difference at each stage [N m]."""
+
+    agree: bool
+    limit: float
+    judged: StageName
+    as_read: Number
+    repaired: Number
+    explained: bool
+
+
+class EngineValue(msgspec.Struct, frozen=True, kw_only=True):
+    """One engine at one stage."""
+
+    engine: str
+    title: str
+    version: str
+    stage: StageName
+    route: str | None
+    refused: str | None
+    warnings: list[str]
+    explained: bool
+    unexplained: Number
+    follows: list[Kind]
+
+
+class PairOfEngines(msgspec.Struct, frozen=True, kw_only=True):
+    """The largest differences between two engines over all states."""
+
+    a: str
+    b: str
+    stage: StageName
+    torque: Number
+    mass_matrix: Number
+    bias_torque: Number
+    acceleration: Number
+    tool: Number
+    joint: str
+    state: State
+
+
+class ImportDifferenceValue(msgspec.Struct, frozen=True, kw_only=True):
+    """One difference between the file and the model that an engine imported."""
+
+    engine: str
+    stage: StageName
+    kind: Kind
+    where: str | None
+    written: str
+    imported: str
+    bears_on: Bearing
+    torque_effect: Number
+    known_issue: str | None
+    fix: str | None
+
+
+class EnginesReport(Report, frozen=True, kw_only=True, tag="ur5check.engines/2"):
+    """One model in several engines."""
+
+    verdict: AgreementVerdict
+    summary: list[str]
+    model: Model
+    gravity: Vector3
+    states: int
+    engines: list[EngineValue]
+    absent: list[str]
+    pairs: list[PairOfEngines]
+    imports: list[ImportDifferenceValue]
 
 
 def engines_json(
@@ -20,124 +97,88 @@ def engines_json(
     limit: float = SAME_ROBOT,
     as_read: bool = False,
     command: str = "",
-) -> Report:
-    """`engines MODEL` as ur5check.engines/1; limit, as_read : as for `engines_document`."""
-    return strict(
-        {
-            **json_head("engines", [report.arm], command, report.seed, report.samples),
-            "verdict": _verdict(report, limit, as_read),
-            "summary": summarize(report, model, limit),
-            "model": model_value(report.arm),
-            "gravity": report.gravity,
-            "states": len(report.states),
-            "engines": [
-                _engine(name, reading)
-                for name, stage in report.stages()
-                for reading in stage.readings
-            ],
-            "absent": [REGISTRY[key].title for key in report.absent],
-            "parity": _parity(report),
-            "imports": [
-                difference
-                for name, stage in report.stages()
-                for reading in stage.readings
-                for difference in _imports(name, reading)
-            ],
-        }
+) -> EnginesReport:
+    """The report of `ur5check engines MODEL`; limit, as_read : as for `engines_document`."""
+    stages = report.stages()
+    return EnginesReport(
+        **head([report.arm], command, seed=report.seed, samples=report.samples),
+        verdict=verdict_value(report, limit, as_read),
+        summary=list(summarize(report, model, limit)),
+        model=model_value(report.arm),
+        gravity=vector(report.gravity),
+        states=len(report.states),
+        engines=[_engine(name, reading) for name, stage in stages for reading in stage.readings],
+        absent=[REGISTRY[key].title for key in report.absent],
+        pairs=_pairs(report),
+        imports=[
+            difference
+            for name, stage in stages
+            for reading in stage.readings
+            for difference in _imports(name, reading)
+        ],
     )
 
 
-def engines_fleet_json(
-    fleet: FleetReport, *, limit: float = SAME_ROBOT, as_read: bool = False, command: str = ""
-) -> Report:
-    """`engines --fleet` as ur5check.fleet/1."""
-    arms = [report.arm for report in fleet.reports]
-    return strict(
-        {
-            **json_head("fleet", arms, command, fleet.seed, fleet.samples),
-            "agree": fleet.agrees(limit, as_read=as_read),
-            "arms": [
-                {
-                    "name": report.arm.name,
-                    "joints": report.arm.n,
-                    "verdict": _verdict(report, limit, as_read),
-                    "why": [
-                        {"engine": r.key, "says": import_clause(r)}
-                        for r in report.as_read.readings
-                        if r.refused is not None or r.harmful
-                    ],
-                }
-                for report in fleet.reports
-            ],
-        }
+def verdict_value(report: EngineReport, limit: float, as_read: bool) -> AgreementVerdict:
+    """Whether the engines agree within `limit`, at the stage that is judged."""
+    return AgreementVerdict(
+        agree=(report.as_read if as_read else report.final).agrees(limit),
+        limit=limit,
+        judged="as read" if as_read else "repaired",
+        as_read=report.as_read.matrix.worst,
+        repaired=None if report.repaired is None else report.repaired.matrix.worst,
+        explained=report.explained,
     )
 
 
-def _verdict(report: EngineReport, limit: float, as_read: bool) -> Report:
-    return {
-        "agree": _judged(report, limit, as_read),
-        "limit": limit,
-        "judged": "as read" if as_read else "repaired",
-        "as_read": report.as_read.matrix.worst,
-        "repaired": None if report.repaired is None else report.repaired.matrix.worst,
-        "explained": report.explained,
-    }
-
-
-def _judged(report: EngineReport, limit: float, as_read: bool) -> bool:
-    return (report.as_read if as_read else report.final).agrees(limit)
-
-
-def _engine(stage: str, reading: Reading) -> Report:
+def _engine(stage: StageName, reading: Reading) -> EngineValue:
     explanation = reading.explanation
-    return {
-        "engine": reading.key,
-        "title": reading.title,
-        "version": reading.version,
-        "stage": stage,
-        "route": reading.route or None,
-        "refused": reading.refused,
-        "said": reading.warnings,
-        "explained": explanation is not None and explanation.explained,
-        "unexplained": None if explanation is None else explanation.gap,
-        "follows": [] if explanation is None else explanation.follows,
-    }
+    return EngineValue(
+        engine=reading.key,
+        title=reading.title,
+        version=reading.version,
+        stage=stage,
+        route=reading.route or None,
+        refused=reading.refused,
+        warnings=list(reading.warnings),
+        explained=explanation is not None and explanation.explained,
+        unexplained=None if explanation is None else explanation.gap,
+        follows=[] if explanation is None else list(explanation.follows),
+    )
 
 
-def _parity(report: EngineReport) -> list[Report]:
+def _pairs(report: EngineReport) -> list[PairOfEngines]:
     return [
-        {
-            "a": pair.a,
-            "b": pair.b,
-            "stage": name,
-            "torque": pair.torque,
-            "mass_matrix": pair.mass,
-            "bias_torque": pair.bias,
-            "acceleration": pair.acceleration,
-            "tool": pair.tool,
-            "joint": report.arm.joints[pair.joint].name,
-            "state": report.states[pair.state],
-        }
+        PairOfEngines(
+            a=pair.a,
+            b=pair.b,
+            stage=name,
+            torque=pair.torque,
+            mass_matrix=pair.mass,
+            bias_torque=pair.bias,
+            acceleration=pair.acceleration,
+            tool=pair.tool,
+            joint=report.arm.joints[pair.joint].name,
+            state=state(report.states[pair.state]),
+        )
         for name, stage in report.stages()
         for pair in stage.matrix.pairs
     ]
 
 
-def _imports(stage: str, reading: Reading) -> list[Report]:
+def _imports(stage: StageName, reading: Reading) -> Iterator[ImportDifferenceValue]:
     if reading.imported is None or reading.key == REFERENCE:
-        return []
-    return [
-        {
-            "engine": reading.key,
-            "stage": stage,
-            "kind": one.kind,
-            "where": one.where or None,
-            "written": one.written,
-            "held": one.imported,
-            "bears_on": one.bears_on,
-            "cost": one.torque_effect,
-            "known_issue": None if one.known_issue is None else one.known_issue.id,
-            "fix": None if one.known_issue is None else one.known_issue.fix,
-        }
-        for one in reading.imported.differences
-    ]
+        return
+    for one in reading.imported.differences:
+        yield ImportDifferenceValue(
+            engine=reading.key,
+            stage=stage,
+            kind=one.kind,
+            where=one.where or None,
+            written=one.written,
+            imported=one.imported,
+            bears_on=one.bears_on,
+            torque_effect=one.torque_effect,
+            known_issue=None if one.known_issue is None else one.known_issue.id,
+            fix=None if one.known_issue is None else one.known_issue.fix,
+        )

@@ -5,18 +5,23 @@ from __future__ import annotations
 from .._engines.engine_entry import EngineEntry
 from .._engines.registry import REGISTRY
 from .document import Column, Document, Row, Section, Table
-from .json_head import json_head
-from .json_values import Report, strict
 from .provenance import Provenance
 from .wording import MISSING
 
-__all__ = ["engines_list_document", "engines_list_json"]
+__all__ = ["engines_list_document", "how_to_install"]
 
 
 def engines_list_document(*, command: str = "") -> Document:
     """The engines as a report."""
     rows = [
-        Row((e.title, e.key, e.version or "not installed", MISSING if e.version else _install(e)))
+        Row(
+            (
+                e.title,
+                e.key,
+                e.version or "not installed",
+                MISSING if e.version else how_to_install(e),
+            )
+        )
         for e in REGISTRY.values()
     ]
     columns = (Column("engine"), Column("--with"), Column("version"), Column("to install it"))
@@ -25,18 +30,6 @@ def engines_list_document(*, command: str = "") -> Document:
     return Document("Engines", None, lines, (section,), Provenance((), command=command))
 
 
-def engines_list_json(*, command: str = "") -> Report:
-    """The engines as plain values for JSON (docs/json.md)."""
-    return strict(
-        {
-            **json_head("references", (), command),
-            "engines": [
-                {"key": e.key, "title": e.title, "version": e.version, "install": _install(e)}
-                for e in REGISTRY.values()
-            ],
-        }
-    )
-
-
-def _install(entry: EngineEntry) -> str:
+def how_to_install(entry: EngineEntry) -> str:
+    """What installs a reference engine."""
     return f"pip install 'ur5check[{entry.extra}]'" if entry.extra else "comes with ur5check"

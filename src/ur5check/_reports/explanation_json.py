@@ -1,131 +1,255 @@
-"""An explanation as plain values for JSON.  Every field is documented in docs/json.md."""
+"""The explanation of a difference as JSON: the part `explanation` of `ur5check diff`."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import asdict
+from typing import Annotated, Literal
 
+import msgspec
 import numpy as np
+from msgspec import Meta
 
-from .._comparison.arm_pair import Side
-from .._comparison.attribution import Attribution
 from .._comparison.diagnosis.diagnosis import Diagnosis
 from .._comparison.explanation import Explanation
 from .._comparison.plausibility.plausible_body import Plausibility
 from .._comparison.rounding.error_budget import ErrorBudget
 from .._comparison.worst_case.worst_case import WorstCase
-from .explanation_summary import equivalence_in_words, removed, summarize
-from .json_values import Report
+from .._robot.transforms import Array
+from .explanation_summary import equivalence_in_words, removed
+from .json_values import Number, SideValue, State, Vector, state, vector
 from .mistake_sentences import advice, details, remark, sentence
 
-__all__ = ["attribution_value", "explanation_value"]
+__all__ = ["ExplanationValue", "explanation_value"]
+
+LinkNumber = Annotated[int, Meta(ge=1)]
 
 
-def explanation_value(e: Explanation) -> Report:
-    """What `ur5check.difference/1` gains when it is explained, and the story that tells it."""
-    terms = {
-        "gravity": e.terms.gravity,
-        "coriolis": e.terms.coriolis,
-        "inertial": e.terms.inertial,
-    }
-    return {
-        "summary": summarize(e),
-        "attribution": attribution_value(e.difference.attribution),
-        "terms": {name: np.sqrt((part.delta**2).mean(axis=0)) for name, part in terms.items()},
-        "identifiability": _identifiability(e),
-        "error_budget": _budget(e.budget),
-        "worst_case": [_worst(e, case) for case in e.worst],
-        "diagnosis": _mistakes(e.diagnosis),
-        "unexplained": [
-            {
-                "link": mismatch.link + 1,
-                "quantity": mismatch.quantity,
-                "gap": mismatch.gap,
-                "sentence": remark(mismatch, e.diagnosis),
-            }
+class TermsValue(msgspec.Struct, frozen=True, kw_only=True):
+    """RMS of the difference per joint, by term [N m]."""
+
+    gravity: Vector
+    coriolis: Vector
+    inertial: Vector
+
+
+class IdentifiabilityValue(msgspec.Struct, frozen=True, kw_only=True):
+    """Which inertial parameters joint torques determine."""
+
+    columns: int
+    rank: int
+    certain: bool
+    doubt: str
+    gap: float
+    identifiable: list[str]
+    in_combination: list[str]
+    unidentifiable: list[str]
+    combinations: list[str]
+    equivalent: bool
+    sentence: str
+
+
+class BudgetItemValue(msgspec.Struct, frozen=True, kw_only=True):
+    """What one kind of rounded digits amounts to per joint [N m]."""
+
+    cause: str
+    side: SideValue
+    where: str
+    exact: bool
+    rms: Vector
+    maximum: Vector
+
+
+class ErrorBudgetValue(msgspec.Struct, frozen=True, kw_only=True):
+    """The part of the difference that rounded digits explain, per joint [N m]."""
+
+    items: list[BudgetItemValue]
+    total: Vector
+    explained: Vector
+    remainder: Vector
+    digits_suffice: bool
+
+
+class WorstCaseValue(msgspec.Struct, frozen=True, kw_only=True):
+    """The largest difference that was found within the limits, and its state."""
+
+    what: Literal["one joint", "all joints together"]
+    joint: str | None
+    static: bool
+    value: float
+    unit: str
+    effort_share: Number
+    state: State
+    best_random: float
+    starts: int
+    evaluations: int
+
+
+class MistakeValue(msgspec.Struct, frozen=True, kw_only=True):
+    """A known mistake that was recognised."""
+
+    id: str
+    rules: list[str]
+    side: SideValue | None
+    where: list[LinkNumber]
+    sentence: str
+    details: list[str]
+    advice: str
+    before: float
+    after: float
+    removes: float
+    choices: int
+    equals: list[str]
+
+
+class UnexplainedValue(msgspec.Struct, frozen=True, kw_only=True):
+    """A number that differs and that no known mistake explains."""
+
+    link: LinkNumber
+    quantity: str
+    gap: float
+    sentence: str
+
+
+class PlausibilityValue(msgspec.Struct, frozen=True, kw_only=True):
+    """Something implausible about a body."""
+
+    side: SideValue
+    severity: Literal["note", "suspicious", "impossible"]
+    link: int | None
+    name: str
+    quantity: str
+    value: Number
+    bound: Number
+    unit: str
+    sentence: str
+
+
+class ExplanationValue(msgspec.Struct, frozen=True, kw_only=True):
+    """Why two models differ."""
+
+    diagnosis: list[MistakeValue]
+    unexplained: list[UnexplainedValue]
+    terms: TermsValue
+    identifiability: IdentifiabilityValue
+    error_budget: ErrorBudgetValue
+    worst_case: list[WorstCaseValue]
+    plausibility: list[PlausibilityValue]
+
+
+def explanation_value(e: Explanation) -> ExplanationValue:
+    """Why two models differ."""
+    return ExplanationValue(
+        diagnosis=_mistakes(e.diagnosis),
+        unexplained=[
+            UnexplainedValue(
+                link=mismatch.link + 1,
+                quantity=mismatch.quantity,
+                gap=mismatch.gap,
+                sentence=remark(mismatch, e.diagnosis),
+            )
             for mismatch in e.diagnosis.unexplained
         ],
-        "plausibility": [*_plausibility("a", e.plausible_a), *_plausibility("b", e.plausible_b)],
-    }
+        terms=TermsValue(
+            gravity=_rms(e.terms.gravity.delta),
+            coriolis=_rms(e.terms.coriolis.delta),
+            inertial=_rms(e.terms.inertial.delta),
+        ),
+        identifiability=_identifiability(e),
+        error_budget=_budget(e.budget),
+        worst_case=[_worst(e, case) for case in e.worst],
+        plausibility=[*_plausibility("a", e.plausible_a), *_plausibility("b", e.plausible_b)],
+    )
 
 
-def attribution_value(attribution: Attribution) -> list[Report]:
-    """Every owner with its part."""
-    rms, share, weight = attribution.rms(), attribution.share(), attribution.weight()
-    return [
-        {
-            "kind": contribution.kind,
-            "link": contribution.link,
-            "rms": rms[k],
-            "share": share[k],
-            "weight": weight[k],
-        }
-        for k, contribution in enumerate(attribution.contributions)
-    ]
+def _rms(delta: Array) -> Vector:
+    return vector(np.sqrt((delta**2).mean(axis=0)))
 
 
-def _identifiability(e: Explanation) -> Report:
-    seen = e.identifiability
-    return {
-        "columns": seen.columns,
-        "rank": seen.rank,
-        "certain": seen.certain,
-        "doubt": seen.doubt,
-        "gap": seen.gap,
-        "identifiable": seen.names_of("identifiable"),
-        "in_combination": seen.names_of("in combination"),
-        "invisible": seen.names_of("invisible"),
-        "combinations": seen.combinations(),
-        "equivalent": e.equivalence.dynamically_equivalent,
-        "sentence": equivalence_in_words(e.equivalence),
-    }
+def _identifiability(e: Explanation) -> IdentifiabilityValue:
+    found = e.identifiability
+    return IdentifiabilityValue(
+        columns=found.columns,
+        rank=found.rank,
+        certain=found.certain,
+        doubt=found.doubt,
+        gap=float(found.gap),
+        identifiable=list(found.names_of("identifiable")),
+        in_combination=list(found.names_of("in combination")),
+        unidentifiable=list(found.names_of("invisible")),
+        combinations=list(found.combinations()),
+        equivalent=e.equivalence.dynamically_equivalent,
+        sentence=equivalence_in_words(e.equivalence),
+    )
 
 
-def _budget(budget: ErrorBudget) -> Report:
-    return {
-        "items": [
-            {
-                "cause": item.cause,
-                "side": item.side,
-                "where": item.where,
-                "exact": item.exact,
-                "rms": item.rms,
-                "maximum": item.maximum,
-            }
+def _budget(budget: ErrorBudget) -> ErrorBudgetValue:
+    return ErrorBudgetValue(
+        items=[
+            BudgetItemValue(
+                cause=item.cause,
+                side=item.side,
+                where=item.where,
+                exact=item.exact,
+                rms=vector(item.rms),
+                maximum=vector(item.maximum),
+            )
             for item in budget.items
         ],
-        "total": budget.total,
-        "explained": budget.explained,
-        "remainder": budget.remainder,
-        "digits_suffice": budget.digits_suffice,
-    }
+        total=vector(budget.total),
+        explained=vector(budget.explained),
+        remainder=vector(budget.remainder),
+        digits_suffice=budget.digits_suffice,
+    )
 
 
-def _worst(e: Explanation, case: WorstCase) -> Report:
+def _worst(e: Explanation, case: WorstCase) -> WorstCaseValue:
     joints = e.difference.pair.a.joints
-    value = asdict(case)
-    return {**value, "joint": None if case.joint is None else joints[case.joint - 1].name}
+    return WorstCaseValue(
+        what=case.what,
+        joint=None if case.joint is None else joints[case.joint - 1].name,
+        static=case.static,
+        value=case.value,
+        unit=case.unit,
+        effort_share=case.effort_share,
+        state=state(case.state),
+        best_random=case.best_random,
+        starts=case.starts,
+        evaluations=case.evaluations,
+    )
 
 
-def _mistakes(diagnosis: Diagnosis) -> list[Report]:
+def _mistakes(diagnosis: Diagnosis) -> list[MistakeValue]:
     return [
-        {
-            "id": found.id,
-            "rules": [mistake.rule_id for mistake in found.mistakes],
-            "side": found.side,
-            "where": found.links,
-            "sentence": sentence(found, diagnosis.pair),
-            "details": details(found),
-            "advice": advice(found),
-            "before": found.before,
-            "after": found.after,
-            "removes": removed(found, diagnosis),
-            "choices": found.choices,
-            "equals": found.equals,
-        }
+        MistakeValue(
+            id=found.id,
+            rules=[mistake.rule_id for mistake in found.mistakes],
+            side=found.side,
+            where=list(found.links),
+            sentence=sentence(found, diagnosis.pair),
+            details=list(details(found)),
+            advice=advice(found),
+            before=found.before,
+            after=found.after,
+            removes=removed(found, diagnosis),
+            choices=found.choices,
+            equals=list(found.equals),
+        )
         for found in diagnosis.mistakes
     ]
 
 
-def _plausibility(arm: Side, found: Iterable[Plausibility]) -> list[Report]:
-    return [{"arm": arm, **asdict(finding)} for finding in found]
+def _plausibility(side: SideValue, found: Iterable[Plausibility]) -> list[PlausibilityValue]:
+    return [
+        PlausibilityValue(
+            side=side,
+            severity=one.severity,
+            link=one.link,
+            name=one.name,
+            quantity=one.quantity,
+            value=one.value,
+            bound=one.bound,
+            unit=one.unit,
+            sentence=one.sentence,
+        )
+        for one in found
+    ]

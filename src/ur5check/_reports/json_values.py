@@ -1,97 +1,147 @@
-"""Pieces of the JSON reports, and what makes JSON strict: no nan and no infinity, null instead."""
+"""Parts that several JSON reports share."""
 
 from __future__ import annotations
 
-import json
-import math
-from typing import Any
+from typing import Annotated, Literal
 
+import msgspec
 import numpy as np
+from msgspec import Meta
 
 from .._comparison.alignment import Alignment
 from .._robot.inertia import Inertia
-from .._robot.serial_arm import Joint, SerialArm
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Transform
 
 __all__ = [
-    "Report",
+    "AlignmentValue",
+    "InertiaValue",
+    "Matrix",
+    "Matrix3",
+    "Model",
+    "Number",
+    "OperationsValue",
+    "Pose",
+    "SideValue",
+    "State",
+    "Vector",
+    "Vector3",
     "alignment_value",
     "inertia_value",
-    "joint_value",
-    "json_text",
     "model_value",
-    "strict",
+    "pose",
+    "state",
+    "vector",
 ]
 
-Report = dict[str, Any]
+#: A number, or null where there is none.
+Number = float | None
+Vector = list[float]
+Matrix = list[list[float]]
+Vector3 = Annotated[list[float], Meta(min_length=3, max_length=3)]
+Matrix3 = Annotated[list[Vector3], Meta(min_length=3, max_length=3)]
+_Row4 = Annotated[list[float], Meta(min_length=4, max_length=4)]
+Pose = Annotated[list[_Row4], Meta(min_length=4, max_length=4)]
+SideValue = Literal["a", "b"]
 
 
-def json_text(report: Report) -> str:
-    """The report as strict JSON."""
-    return json.dumps(report, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+class State(msgspec.Struct, frozen=True):
+    """A state of the joints: q [rad or m], qd [per s], qdd [per s²], in the first model's
+    coordinates.
+    """
+
+    q: Vector
+    qd: Vector
+    qdd: Vector
 
 
-def strict(report: Report) -> Report:
-    """The report in what JSON has: lists, Python's own numbers, None for what is no number."""
-    return {key: _plain(value) for key, value in report.items()}
+class Model(msgspec.Struct, frozen=True, kw_only=True):
+    """A model: its name, the label that sets it apart from the others, where it came from."""
+
+    name: str
+    label: str
+    kind: Literal["dh", "urdf", "xacro", "mjcf", "sdf", "pinocchio", "value"]
+    base: str
+    tip: str
+    notes: list[str]
 
 
-def model_value(arm: SerialArm) -> Report:
+class InertiaValue(msgspec.Struct, frozen=True):
+    """Mass [kg], centre of mass [m], tensor about it [kg m²]."""
+
+    mass: float
+    com: Vector3
+    tensor: Matrix3
+
+
+class AlignmentValue(msgspec.Struct, frozen=True, kw_only=True):
+    """How b was aligned with a."""
+
+    exact: bool
+    T_ab: Pose
+    signs: Vector
+    offsets: Vector
+    axis_angle: Vector
+    axis_distance: Vector
+    tool: Pose
+    unknown: list[str]
+    notes: list[str]
+
+
+class OperationsValue(msgspec.Struct, frozen=True):
+    """How many operations."""
+
+    multiplications: int
+    additions: int
+    total: int
+
+
+def vector(values: object) -> Vector:
+    """Numbers of an array or sequence of one dimension."""
+    return [float(x) for x in np.asarray(values)]
+
+
+def pose(transform: Transform) -> Matrix:
+    """A pose as a homogeneous matrix, row by row."""
+    return [vector(row) for row in transform.matrix()]
+
+
+def state(values: dict[str, list[float]]) -> State:
+    """A state that is given as q, qd and qdd."""
+    return State(values["q"], values["qd"], values["qdd"])
+
+
+def model_value(arm: SerialArm) -> Model:
     """What an arm is called, and where it came from."""
-    source = arm.source
-    return {
-        "name": arm.name,
-        "label": arm.label,
-        "kind": source.kind,
-        "base": source.base,
-        "tip": source.tip,
-        "notes": source.notes,
-    }
-
-
-def joint_value(joint: Joint) -> Report:
-    """A joint with its limits."""
-    limits = joint.limits
-    return {
-        "name": joint.name,
-        "kind": joint.kind,
-        "axis": joint.axis,
-        "limits": {
-            "lower": limits.lower,
-            "upper": limits.upper,
-            "velocity": limits.velocity,
-            "effort": limits.effort,
+    return msgspec.convert(
+        {
+            "name": arm.name,
+            "label": arm.label,
+            "kind": arm.source.kind,
+            "base": arm.source.base,
+            "tip": arm.source.tip,
+            "notes": list(arm.source.notes),
         },
-    }
+        Model,
+    )
 
 
-def alignment_value(alignment: Alignment) -> Report:
-    """How b was laid along a."""
-    return {
-        "exact": alignment.exact,
-        "T_ab": alignment.T_ab.matrix(),
-        "signs": alignment.signs,
-        "offsets": alignment.offsets,
-        "axis_angle": alignment.axis_angle,
-        "axis_distance": alignment.axis_distance,
-        "tool": alignment.tool.matrix(),
-        "unknown": alignment.unknown,
-        "notes": alignment.notes,
-    }
+def alignment_value(alignment: Alignment) -> AlignmentValue:
+    """How b was aligned with a."""
+    return AlignmentValue(
+        exact=alignment.exact,
+        T_ab=pose(alignment.T_ab),
+        signs=vector(alignment.signs),
+        offsets=vector(alignment.offsets),
+        axis_angle=vector(alignment.axis_angle),
+        axis_distance=vector(alignment.axis_distance),
+        tool=pose(alignment.tool),
+        unknown=list(alignment.unknown),
+        notes=list(alignment.notes),
+    )
 
 
-def inertia_value(inertia: Inertia) -> Report:
+def inertia_value(inertia: Inertia) -> InertiaValue:
     """Mass, centre and tensor about the centre."""
-    return {"mass": inertia.mass, "com": inertia.com, "tensor": inertia.tensor}
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return strict(value)
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if isinstance(value, np.ndarray | np.generic):
-        return _plain(value.tolist())
-    if isinstance(value, float):
-        # Adding 0.0 turns −0.0, which readers stumble over, into 0.0.
-        return value + 0.0 if math.isfinite(value) else None
-    return value
+    tensor = [vector(row) for row in inertia.tensor]
+    return InertiaValue(float(inertia.mass), vector(inertia.com), tensor)

@@ -1,31 +1,93 @@
-"""One arm as plain values for JSON.  Every field is documented in docs/json.md."""
+"""`ur5check show` as JSON."""
 
 from __future__ import annotations
 
+from typing import Literal
+
+import msgspec
+
 from .._robot.serial_arm import SerialArm
-from .json_head import json_head
-from .json_values import Report, inertia_value, joint_value, model_value, strict
+from .json_report import Report, head
+from .json_values import (
+    InertiaValue,
+    Model,
+    Number,
+    Pose,
+    Vector3,
+    inertia_value,
+    model_value,
+    pose,
+    vector,
+)
 
-__all__ = ["show_json"]
+__all__ = ["ShowReport", "show_json"]
 
 
-def show_json(arm: SerialArm, *, command: str = "") -> Report:
-    """`show` as ur5check.robot/1."""
-    return strict(
-        {
-            **json_head("arm", [arm], command),
-            **model_value(arm),
-            "gravity": arm.gravity,
-            "base_transform": arm.base.matrix(),
-            "joints": [joint_value(joint) for joint in arm.joints],
-            "links": [
-                {
-                    "name": link.name,
-                    "link_tip_frame": link.link_tip_frame.matrix(),
-                    "source_frame": link.source_frame.matrix(),
-                    "inertia": inertia_value(link.inertia),
-                }
-                for link in arm.links
-            ],
-        }
+class LimitsValue(msgspec.Struct, frozen=True):
+    """Limits as the source gives them: position [rad or m], velocity [per s], effort [N m or N]."""
+
+    lower: Number
+    upper: Number
+    velocity: Number
+    effort: Number
+
+
+class JointValue(msgspec.Struct, frozen=True):
+    """A joint: its kind, unit axis and limits."""
+
+    name: str
+    kind: Literal["revolute", "prismatic"]
+    axis: Vector3
+    limits: LimitsValue
+
+
+class LinkValue(msgspec.Struct, frozen=True):
+    """A link: its frames and its inertia."""
+
+    name: str
+    link_tip_frame: Pose
+    source_frame: Pose
+    inertia: InertiaValue
+
+
+class ShowReport(Report, frozen=True, kw_only=True, tag="ur5check.show/2"):
+    """One model, as it was read."""
+
+    model: Model
+    gravity: Vector3
+    base_transform: Pose
+    joints: list[JointValue]
+    links: list[LinkValue]
+
+
+def show_json(arm: SerialArm, *, command: str = "") -> ShowReport:
+    """The report of `ur5check show`."""
+    return ShowReport(
+        **head([arm], command),
+        model=model_value(arm),
+        gravity=vector(arm.gravity),
+        base_transform=pose(arm.base),
+        joints=[
+            JointValue(
+                joint.name,
+                joint.kind,
+                vector(joint.axis),
+                LimitsValue(
+                    joint.limits.lower,
+                    joint.limits.upper,
+                    joint.limits.velocity,
+                    joint.limits.effort,
+                ),
+            )
+            for joint in arm.joints
+        ],
+        links=[
+            LinkValue(
+                link.name,
+                pose(link.link_tip_frame),
+                pose(link.source_frame),
+                inertia_value(link.inertia),
+            )
+            for link in arm.links
+        ],
     )

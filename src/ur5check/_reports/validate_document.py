@@ -48,7 +48,7 @@ def _verdict(v: Validation) -> Verdict:
         "the bodies could exist" if v.bodies_possible else "a body COULD NOT EXIST",
     ]
     if v.pairs:
-        explained = "explained" if v.accounted else "NOT explained"
+        explained = "explained" if v.explained else "NOT explained"
         parts.append(f"the differences of the models are {explained}")
     text = f"{'; '.join(parts)}."
     return Verdict("PASS" if v.passed else "FAIL", text, v.passed)

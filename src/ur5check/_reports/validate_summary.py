@@ -14,7 +14,7 @@ def summarize(validation: Validation) -> tuple[str, ...]:
     sentences = [_algorithm(validation), _bodies(validation)]
     for pair in validation.pairs:
         sentences += difference_summary.summarize(pair.difference)
-        if not pair.accounted:
+        if not pair.explained:
             (account,) = (o for o in pair.outcomes if o.id == "account")
             sentences.append(
                 f"NOT EXPLAINED: {account.value:.2g} N m of the difference have no owner "

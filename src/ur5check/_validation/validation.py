@@ -42,7 +42,7 @@ class PairValidation:
     outcomes: tuple[Outcome, ...]
 
     @property
-    def accounted(self) -> bool:
+    def explained(self) -> bool:
         """Whether every newton metre of the difference has an owner."""
         return all(outcome.passed for outcome in self.outcomes if outcome.id == "account")
 
@@ -73,14 +73,14 @@ class Validation:
         return all(o.passed for o in self.outcomes if o.about == "body")
 
     @property
-    def accounted(self) -> bool:
+    def explained(self) -> bool:
         """Whether every difference between models is explained; different axes are one, too."""
-        return all(pair.accounted for pair in self.pairs)
+        return all(pair.explained for pair in self.pairs)
 
     @property
     def passed(self) -> bool:
         """Different numbers are a finding, not a failure, as long as they are accounted for."""
-        return self.algorithm_right and self.bodies_possible and self.accounted
+        return self.algorithm_right and self.bodies_possible and self.explained
 
 
 def validate(

@@ -5,17 +5,16 @@ One run serves all tests here; it takes most of this folder's time.
 
 from __future__ import annotations
 
-import json
 import re
 import runpy
 import shlex
 from pathlib import Path
 
-import jsonschema
 import pytest
 from three_joints import ARM
 
 import ur5check
+from report_schema import read_report
 from repository import REPOSITORY
 from ur5check._cli.main import main
 from ur5check._engines.audit import fleet_comparison as fleet_module
@@ -25,7 +24,8 @@ from ur5check._engines.registry import installed
 from ur5check._io.example_robots import FLEET
 from ur5check._io.urdf.urdf_reader import read_urdf
 from ur5check._reports.engines_fleet_document import engines_fleet_document
-from ur5check._reports.engines_json import engines_fleet_json
+from ur5check._reports.engines_fleet_json import engines_fleet_json
+from ur5check._reports.json_report import json_text
 from ur5check._reports.markdown import render_markdown
 
 DOCS = REPOSITORY / "docs"
@@ -151,9 +151,7 @@ def test_the_fleet_is_a_report(fleet, capsys, monkeypatch, tmp_path):
     assert "**REFUSED: as read, all engines agree on 32 of 35 arms and differ on 2" in said
     assert "finger-edu is refused by MuJoCo" in said
     assert "**DIFFER:" in render_markdown(engines_fleet_document(fleet, as_read=True))
-    schema = json.loads((DOCS / "schemas" / "report-1.schema.json").read_text(encoding="utf-8"))
-    report = json.loads(json.dumps(engines_fleet_json(fleet), allow_nan=False))
-    jsonschema.Draft202012Validator(schema).validate(report)
+    report = read_report(json_text(engines_fleet_json(fleet)))
     assert not report["agree"]  # a refusal is no agreement
     assert [arm["name"] for arm in report["arms"] if not arm["verdict"]["agree"]] == ["finger-edu"]
     monkeypatch.setattr(fleet_module, "FLEET", [one for one in FLEET if one.name == "xarm7"])

@@ -1,0 +1,102 @@
+"""`ur5check validate` as JSON."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from .._validation.law import Outcome
+from .._validation.validation import Validation
+from .diff_json import Comparison, comparison_value
+from .json_report import Report, head
+from .json_values import Model, Number, State, model_value, state
+from .validate_summary import summarize
+
+__all__ = ["ValidateReport", "validate_json"]
+
+
+class ValidateVerdict(msgspec.Struct, frozen=True, kw_only=True):
+    """Whether the models passed, and the three judgements that this is made of."""
+
+    passed: bool
+    algorithm: bool
+    bodies: bool
+    explained: bool
+
+
+class ValidatedModel(msgspec.Struct, frozen=True, kw_only=True):
+    """A model, the reference engine, and how the engine got the model."""
+
+    model: Model
+    reference: str
+    route: str
+
+
+class CheckValue(msgspec.Struct, frozen=True, kw_only=True):
+    """One check of one subject."""
+
+    id: str
+    about: Literal["algorithm", "body", "numbers"]
+    subject: str
+    statement: str
+    formula: str
+    status: Literal["pass", "fail"]
+    value: Number
+    tolerance: Number
+    bound: Literal["at most", "above"]
+    unit: str
+    samples: int
+    worst_state: State | None
+    details: list[str]
+
+
+class ValidateReport(Report, frozen=True, kw_only=True, tag="ur5check.validate/2"):
+    """Laws, bodies and differences of some models."""
+
+    verdict: ValidateVerdict
+    summary: list[str]
+    models: list[ValidatedModel]
+    checks: list[CheckValue]
+    differences: list[Comparison]
+
+
+def validate_json(v: Validation, *, command: str = "") -> ValidateReport:
+    """The report of `ur5check validate`."""
+    arms = [model.arm for model in v.models]
+    return ValidateReport(
+        **head(arms, command, seed=v.seed, samples=v.samples),
+        verdict=ValidateVerdict(
+            passed=v.passed,
+            algorithm=v.algorithm_right,
+            bodies=v.bodies_possible,
+            explained=v.explained,
+        ),
+        summary=list(summarize(v)),
+        models=[
+            ValidatedModel(
+                model=model_value(model.arm), reference=model.reference, route=model.route
+            )
+            for model in v.models
+        ],
+        checks=[_check(outcome) for outcome in v.outcomes],
+        differences=[comparison_value(pair.difference) for pair in v.pairs],
+    )
+
+
+def _check(o: Outcome) -> CheckValue:
+    return CheckValue(
+        id=o.id,
+        about=o.about,
+        subject=o.subject,
+        statement=o.statement,
+        formula=o.formula,
+        status=o.status,
+        value=o.value,
+        tolerance=o.tolerance,
+        bound="above" if o.positive else "at most",
+        unit=o.unit,
+        samples=o.samples,
+        worst_state=None if o.worst_state is None else state(o.worst_state),
+        details=list(o.details),
+    )
