@@ -100,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
             d,
             explanation,
             parameters=parameters,
-            written_out=args.by_parameter or form == "markdown",
+            written_out=args.by_parameter or form.all_tables,
             command=command,
         ),
         report=lambda: diff_json(d, explanation, parameters=parameters, command=command),

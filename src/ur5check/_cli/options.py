@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from .._errors import UsageError
 from .._io.formats import FORMATS as MODEL_FORMATS
 from .._io.formats import format_by_suffix, suffixes_in_words
-from .output import FORMATS
+from .._reports.formats import FORMATS
 
 if TYPE_CHECKING:
     from .._robot.serial_arm import SerialArm
@@ -40,7 +40,7 @@ def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True)
     if formats:
         parser.add_argument(
             "--format",
-            choices=FORMATS,
+            choices=[form.name for form in FORMATS],
             help="format of the report (default: from the suffix of -o, else text)",
         )
     parser.add_argument(

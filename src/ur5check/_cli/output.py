@@ -7,18 +7,17 @@ import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from .._errors import UsageError
 from .._files import write_whole
+from .._reports.formats import Contents, ReportFormat, Screen, format_of
 
 if TYPE_CHECKING:
     from .._reports.document import Document
     from .._reports.json_report import Report
 
 __all__ = [
-    "FORMATS",
-    "Format",
     "check_folder",
     "check_output",
     "emit",
@@ -27,42 +26,22 @@ __all__ = [
     "rendered",
 ]
 
-Format = Literal["text", "json", "markdown"]
-FORMATS: tuple[Format, ...] = ("text", "json", "markdown")
-
-_SUFFIXES: dict[str, Format] = {".json": "json", ".md": "markdown", ".markdown": "markdown"}
 _PIPE_WIDTH = 100
-
-
-def format_of(given: Format | None, output: str | None) -> Format:
-    """The format that was asked for, or the one that the file's suffix asks for."""
-    if given is not None or output is None:
-        return given or "text"
-    return _SUFFIXES.get(Path(output).suffix.lower(), "text")
+_LEAST_WIDTH = 40
 
 
 def rendered(
-    form: Format,
+    form: ReportFormat,
     output: str | None,
     *,
     document: Callable[[], Document],
     report: Callable[[], Report],
 ) -> str:
     """The result as text in the chosen format."""
-    if form == "json":
-        from .._reports.json_report import json_text
-
-        return json_text(report())
-    if form == "markdown":
-        from .._reports.markdown import render_markdown
-
-        return render_markdown(document())
-    from .._reports.terminal import render_text
-
     shown = output is None and sys.stdout.isatty()
     colour = shown and "NO_COLOR" not in os.environ and os.environ.get("TERM") != "dumb"
     width = shutil.get_terminal_size().columns if shown else _PIPE_WIDTH
-    return render_text(document(), width=max(width, 40), colour=colour)
+    return form.render(Contents(document, report), Screen(max(width, _LEAST_WIDTH), colour))
 
 
 def check_output(output: str | None, inputs: Iterable[Path], *, option: str = "-o") -> None:

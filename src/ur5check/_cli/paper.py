@@ -57,7 +57,7 @@ def run(args: argparse.Namespace) -> int:
         document=lambda: paper_document(
             r,
             pictures=_places(args.figures, args.output),
-            written_out=form == "markdown",
+            written_out=form.all_tables,
             command=command,
         ),
         report=lambda: paper_json(r, command=command),
