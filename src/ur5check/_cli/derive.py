@@ -38,7 +38,7 @@ _TARGETS = ("python", "c", "sympy", "latex", "json")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What `derive` takes."""
+    """Arguments of `derive`."""
     parser.add_argument("model", metavar="MODEL", help="model whose dynamics are derived")
     parser.add_argument(
         "--quantity",
@@ -60,7 +60,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Derive and print; operations and time go to stderr."""
+    """Derive and print; operation counts and time go to stderr."""
     options = ModelOptions.of(args, (args.model,))
     check_output(args.output, ())
     (arm,) = options.load(quiet=args.quiet)
@@ -92,7 +92,7 @@ def _text(target: str, arm: SerialArm, derivation: Derivation, command: str) -> 
 
 
 def _head(arm: SerialArm, derivation: Derivation, command: str) -> Sequence[str]:
-    """Where the text comes from: what a reader needs to make it again."""
+    """The provenance of the text: command, inputs, versions, operation counts."""
     from .._reports.provenance import Provenance, inputs_of
 
     made = Provenance(inputs_of([arm]), command=command)

@@ -78,6 +78,6 @@ def test_a_fingerprint_knows_the_code_that_generates(monkeypatch):
     arm = ur5.load("paper")
     known = fingerprint([arm], "tau")
     monkeypatch.setattr(
-        "ur5check._dynamics.compiled.fingerprint._makers", lambda: "another recursion"
+        "ur5check._dynamics.compiled.fingerprint._generator_hash", lambda: "another recursion"
     )
     assert fingerprint([arm], "tau") != known

@@ -113,7 +113,7 @@ def test_symbols_may_take_other_values():
     )
     assert {"m2", "cx2", "Izz3", "a2", "d4", "gz"} <= program.parameters.keys()
     assert program.setup and not program_of("paper", "tau").setup
-    with pytest.raises(StateError, match="m9 is no parameter"):
+    with pytest.raises(StateError, match="m9 is not a parameter"):
         program.evaluate(at.q, at.qd, at.qdd, m9=1.0)
 
 

@@ -1,4 +1,4 @@
-"""What generated code depends on, as one hash: an arm's numbers, and the code that generates."""
+"""A hash of everything generated code depends on: the arm's numbers and the generating code."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ __all__ = ["fingerprint"]
 def fingerprint(arms: Iterable[SerialArm], *words: str) -> str:
     """A hash of the arms' geometry, inertias, motors and gravity, and of `words`.
 
-    Names and limits are no part of it: they change no torque.
+    Without names and limits, which change no torque.
     """
-    digest = hashlib.sha256("\0".join([__version__, _makers(), *words]).encode())
+    digest = hashlib.sha256("\0".join([__version__, _generator_hash(), *words]).encode())
     for arm in arms:
         digest.update(f"arm {arm.n}".encode())
         for values in (arm.base.matrix(), arm.gravity, arm.parameters(), arm.armature):
@@ -33,8 +33,8 @@ def fingerprint(arms: Iterable[SerialArm], *words: str) -> str:
 
 
 @cache
-def _makers() -> str:
-    """A hash of the code itself: between two releases it changes, and the version does not."""
+def _generator_hash() -> str:
+    """A hash of the generating code, which changes between releases while the version does not."""
     digest = hashlib.sha256()
     for file in sorted(Path(__file__).parents[1].rglob("*.py")):
         digest.update(file.read_bytes())

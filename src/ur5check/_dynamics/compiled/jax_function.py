@@ -1,4 +1,4 @@
-"""The straight line as a JAX function: `jit`, `vmap` and `grad` work on it, on a CPU or a GPU.
+"""The generated program as a JAX function: `jit`, `vmap` and `grad` work on it, on a CPU or a GPU.
 
 jax.config.update("jax_enable_x64", True)
 tau = jax_rnea(ur5check.load("paper"))
@@ -24,13 +24,14 @@ JaxFunction = Callable[[Any, Any, Any], Any]
 def jax_rnea(arm: SerialArm) -> JaxFunction:
     """τ(q, q̇, q̈) of one state, arrays of shape (n,) [rad], [rad/s], [rad/s²] to (n,) [N m].
 
-    The arm's own gravity.  Raises UsageError if JAX is not installed, or computes with 32 bits.
+    Under the arm's own gravity.  Raises UsageError if JAX is not installed, or computes with 32
+    bits.
     """
     return _function(trace(arm, "tau"))
 
 
 def jax_torque_difference(a: SerialArm, b: SerialArm) -> JaxFunction:
-    """τ_a − τ_b of two arms in one set of joint coordinates, otherwise as `jax_rnea`."""
+    """τ_a − τ_b of two arms in the same joint coordinates, otherwise as `jax_rnea`."""
     return _function(trace_difference(a, b))
 
 
@@ -41,7 +42,7 @@ def _function(program: Program) -> JaxFunction:
         raise UsageError("JAX is not installed; pip install 'ur5check[jax]'") from None
     if jnp.asarray(1.0).dtype != jnp.float64:
         raise UsageError(
-            "JAX computes with 32 bits, which is no better than 1e-5 N m; call "
+            "JAX computes with 32 bits, which limits the accuracy to 1e-5 N m; call "
             'jax.config.update("jax_enable_x64", True) first'
         )
 

@@ -1,8 +1,8 @@
-"""`ur5check.compile`: one arm's dynamics as straight-line code, for arrays of states.
+"""`ur5check.compile`: the dynamics of one arm as generated code, for arrays of states.
 
-Each quantity is traced once from the recursion (`closed_form`), regrouped and factored, compiled by
-LLVM where llvmlite is installed, and kept on disk.  Without it the same lines run on NumPy, a block
-of states at a time.
+Each quantity is derived once from the recursion (`symbolic`), regrouped, factored, compiled by LLVM
+where llvmlite is installed, and cached on disk.  Without llvmlite the same program runs on NumPy,
+on blocks of states.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from .kernel_cache import kept
 
 __all__ = ["DifferenceKernel", "Kernel", "Path", "compile", "compile_difference", "default_path"]
 
-#: What runs the lines.
+#: The path that runs a program.
 Path = Literal["llvm", "numpy"]
 
 #: (q, qd, qdd, out) of shape (N, …), None for what a quantity does not depend on.
 _Run = Callable[[Array, Array | None, Array | None, Array], None]
 
-#: A thread waits for what another is making, and then finds it on disk.
+#: One thread generates code, the others wait and read it from disk.
 _ONE_AT_A_TIME = Lock()
 
 
@@ -42,16 +42,17 @@ def default_path() -> Path:
     return "llvm" if find_spec("llvmlite") else "numpy"
 
 
-def compile(  # noqa: A001 - the word for it
+def compile(  # noqa: A001
     arm: SerialArm, threads: int = 1, *, path: Path | None = None
 ) -> Kernel:
     """Compiled dynamics of an arm under its own gravity.
 
-    threads : states are shared among so many; machine code runs outside Python's lock
+    threads : that share the states; machine code releases the GIL
     path : "llvm" (`ur5check[fast]`) or "numpy"; None: LLVM where llvmlite is installed
 
-    A quantity is compiled when it is first asked for, and found on disk by the arm's numbers later
-    (`cache`).  Raises UsageError for a number of threads below 1 or a path that is not here.
+    A quantity is compiled at its first call, and later loaded from disk (`kernel_cache`).
+
+    Raises UsageError for a number of threads below 1 or a path that is not installed.
     """
     return Kernel(arm, *_checked(threads, path))
 
@@ -59,7 +60,7 @@ def compile(  # noqa: A001 - the word for it
 def compile_difference(
     a: SerialArm, b: SerialArm, threads: int = 1, *, path: Path | None = None
 ) -> DifferenceKernel:
-    """τ_a − τ_b of two arms in one set of joint coordinates (`_comparison.arm_pair` makes them so).
+    """τ_a − τ_b of two arms in the same joint coordinates (`_comparison.arm_pair`).
 
     Raises UsageError as `compile`, and for arms of different length.
     """
@@ -90,25 +91,25 @@ class Kernel:
         out: Array | None = None,
     ) -> Array:
         """τ = M q̈ + C q̇ + g, shape (N, n) [N m]."""
-        return self._ask("tau", (self.arm.n,), {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+        return self._compute("tau", (self.arm.n,), {"q": q, "qd": qd, "qdd": qdd}, layout, out)
 
     def mass_matrix(
         self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
         """M(q), shape (N, n, n) [kg m²]."""
-        return self._ask("M", (self.arm.n, self.arm.n), {"q": q}, layout, out)
+        return self._compute("M", (self.arm.n, self.arm.n), {"q": q}, layout, out)
 
     def coriolis_matrix(
         self, q: ArrayLike, qd: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
         """C(q, q̇) of Christoffel symbols, shape (N, n, n) [N m s]."""
-        return self._ask("C", (self.arm.n, self.arm.n), {"q": q, "qd": qd}, layout, out)
+        return self._compute("C", (self.arm.n, self.arm.n), {"q": q, "qd": qd}, layout, out)
 
     def gravity_torque(
         self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
         """g(q), shape (N, n) [N m]."""
-        return self._ask("g", (self.arm.n,), {"q": q}, layout, out)
+        return self._compute("g", (self.arm.n,), {"q": q}, layout, out)
 
     def torque_regressor(
         self,
@@ -121,9 +122,9 @@ class Kernel:
     ) -> Array:
         """Y(q, q̇, q̈), shape (N, n, 10 n), in the order of `ur5check.torque_regressor`."""
         shape = (self.arm.n, 10 * self.arm.n)
-        return self._ask("regressor", shape, {"q": q, "qd": qd, "qdd": qdd}, layout, out)
+        return self._compute("regressor", shape, {"q": q, "qd": qd, "qdd": qdd}, layout, out)
 
-    def _ask(
+    def _compute(
         self,
         quantity: Any,
         shape: tuple[int, ...],
@@ -137,7 +138,7 @@ class Kernel:
 
 @dataclass(frozen=True, eq=False)
 class DifferenceKernel:
-    """The torque difference of two arms; what both need is worked out once a state."""
+    """The torque difference of two arms; values that both need are computed once."""
 
     a: SerialArm
     b: SerialArm
@@ -163,11 +164,11 @@ class DifferenceKernel:
 def _code(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> _Run:
     """The generated code of one arm, or of two and their difference.
 
-    Arms never change, so each is looked up once.
+    Arms are immutable, so each is looked up once.
     """
 
     def make() -> bytes:
-        from .kernel_source import made  # takes longer than finding it on disk
+        from .kernel_source import made  # its import takes longer than reading from disk
 
         return made(arms, quantity, path)
 
@@ -175,7 +176,7 @@ def _code(arms: tuple[SerialArm, ...], quantity: Any, path: Path) -> _Run:
         if path == "numpy":
             key = fingerprint(arms, quantity, path)
             names: dict[str, Any] = {}
-            exec(kept(f"{quantity}_{key}.py", make), names)  # noqa: S102 - our own text
+            exec(kept(f"{quantity}_{key}.py", make), names)  # noqa: S102 - generated here
             python: _Run = names["run"]
             return python
         from .machine_code import KernelCode, processor
@@ -193,7 +194,7 @@ def _shared(
     layout: Layout,
     out: Array | None,
 ) -> Array:
-    """Run it on the states, shared among threads."""
+    """Run the code on the states, shared among threads."""
     views, single = as_states(arm, arrays, layout)
     count = len(views["q"])
     result, flat = empty_result(count, shape, layout, out)

@@ -1,4 +1,4 @@
-"""Joint arrays as a kernel takes them: (N, n) or (n, N) as the caller says, seen and not copied."""
+"""The joint arrays of a kernel: (N, n) or (n, N) by the caller's layout, not copied."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..batching import joint_array
 
 __all__ = ["Layout", "as_states", "empty_result", "refuse_unless_finite"]
 
-#: "states": one row a state, (N, n);  "joints": one row a joint, (n, N).  Never guessed.
+#: "states": one row per state, (N, n);  "joints": one row per joint, (n, N).  Never guessed.
 Layout = Literal["states", "joints"]
 
 
@@ -25,8 +25,8 @@ def as_states(
 ) -> tuple[dict[str, Array], bool]:
     """Views of shape (N, n), and whether a single state of shape (n,) was given.
 
-    Raises StateError for another shape, or states that differ in number, UsageError for a layout
-    that there is none of.
+    Raises StateError for another shape or different numbers of states, UsageError for an unknown
+    layout.
     """
     if layout not in ("states", "joints"):
         raise UsageError(f"layout must be 'states' or 'joints', not {layout!r}")
@@ -53,17 +53,17 @@ def as_states(
         views[name] = array.T if layout == "joints" else array
         counts.add(len(views[name]))
     if len(counts) > 1:
-        told = ", ".join(f"{name} {np.shape(array)}" for name, array in arrays.items())
-        raise StateError(f"these arrays hold different numbers of states: {told}")
+        shapes = ", ".join(f"{name} {np.shape(array)}" for name, array in arrays.items())
+        raise StateError(f"these arrays hold different numbers of states: {shapes}")
     return views, single
 
 
 def empty_result(
     count: int, shape: Sequence[int], layout: Layout, out: Array | None
 ) -> tuple[Array, Array]:
-    """The result as the caller will see it, and a view of it of shape (N, entries).
+    """The result in the caller's layout, and a view of it of shape (N, entries).
 
-    Raises StateError for an `out` that is not such an array.
+    Raises StateError for an unsuitable `out`.
     """
     entries = prod(shape)
     wanted = (count, *shape) if layout == "states" else (*shape, count)
@@ -82,9 +82,9 @@ def empty_result(
 
 
 def refuse_unless_finite(arm: SerialArm, views: dict[str, Array], result: Array) -> None:
-    """Raise StateError, naming the entry, if a result is no number because a state is none.
+    """Raise StateError, naming the entry, if a state is not finite.
 
-    A sum over the results costs a hundredth of computing them, and one nan spoils it.
+    The sum of the results is tested first: it takes a hundredth of the time of computing them.
     """
     with np.errstate(invalid="ignore", over="ignore"):
         if np.isfinite(result.sum()):

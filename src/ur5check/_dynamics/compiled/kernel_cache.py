@@ -1,9 +1,8 @@
-"""Where generated code is kept between runs, and why it can be trusted.
+"""The cache of generated code on disk.
 
-Code is kept by the name of what it was made from: the numbers of the arm, the quantity, and what
-made it.  A file's first line carries the SHA-256 of the rest; a file that does not match is made
-again.  Code found in a folder that others may write would be other people's code, so such a folder
-is refused.
+A file is named after a hash of the arm's numbers, the quantity and the generating code.  Its first
+line is the SHA-256 of the rest; a file that does not match is generated again.  A folder that
+others may write to is refused, since its code would be executed.
 """
 
 from __future__ import annotations
@@ -23,11 +22,11 @@ _MARK = b"# SHA-256 of what follows: "
 
 
 def cache_folder() -> Path:
-    """The folder of generated code, made if it is not there, for this user only.
+    """The folder of generated code, created for this user only.
 
     $UR5CHECK_CACHE, or `ur5check` under $XDG_CACHE_HOME or ~/.cache.
 
-    Raises UsageError if it cannot be made, or others own it or may write into it.
+    Raises UsageError if it cannot be created, or others own it or may write to it.
     """
     given = os.environ.get(_VARIABLE)
     root = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
@@ -37,21 +36,21 @@ def cache_folder() -> Path:
         state = folder.stat()
     except OSError as error:
         raise UsageError(
-            f"{folder}: generated code cannot be kept there ({error.strerror}); set {_VARIABLE} to "
+            f"{folder}: cannot store generated code there ({error.strerror}); set {_VARIABLE} to "
             "a folder of your own"
         ) from None
     if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o022):
         raise UsageError(
-            f"{folder}: others may write generated code there; chmod 700 it, or set {_VARIABLE} to "
+            f"{folder}: others may write there; chmod 700 it, or set {_VARIABLE} to "
             "a folder of your own"
         )
     return folder
 
 
 def kept(name: str, make: Callable[[], bytes]) -> bytes:
-    """The code of that name: read from disk, or made and left there.
+    """The code of that name, read from disk, or generated and stored.
 
-    name : of a file, and of what the code is made from, hashed;  make : called only when needed
+    name : of the file, with the hash;  make : called only if the file is missing or damaged
     """
     file = cache_folder() / name
     code = _whole(file)

@@ -1,7 +1,6 @@
-"""What a kernel is made from: a program traced, and written for what is to run it.
+"""Generation of a kernel's code: derivation of the program, and its text for LLVM or NumPy.
 
-Only a first call comes here.  Later processes find what was made on disk (`cache`), and need not
-wait for what traces and writes it to be imported.
+Imported by the first call only; later processes read the code from disk (`kernel_cache`).
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""A program as a module for LLVM: states in, blocks of 64 through a straight line, results out.
+"""A program as a module for LLVM, on blocks of 64 states.
 
-    gather   64 states are laid out in a scratch array, one row a joint's q, q̇ or q̈
-    turn     angles become sines and cosines (`sincos`)
-    line     the program itself, once for every eight states of the block: no call and no branch
-    scatter  its rows go to the result
+    gather   copies 64 states to a scratch array, one row per q, q̇ or q̈ of a joint
+    turn     computes sines and cosines (`sincos`)
+    line     runs the program on eight states at a time, without calls or branches
+    scatter  copies its rows to the result
 
-The scratch array (36 rows for a UR5's torques, 18 kB) stays in the processor's first cache.
+The scratch array (36 rows for a UR5's torques, 18 kB) fits into the first-level cache.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def llvm_source(program: Program) -> str:
     """The module's text.  Its one function is called by `machine_code.MachineCode`:
 
     run(count, scratch, and of q, qd, qdd and the result: address, bytes from state to state, bytes
-    from entry to entry).  What the program does not read is not looked at.
+    from entry to entry).  Arrays that the program does not read may be null.
     """
     return "\n".join(
         [*(f"; {line}" for line in description(program)), str(_Writer(program).module)]
@@ -59,16 +59,16 @@ class _Writer:
         self.build.ret_void()
 
     def gather(self, name: str, start: Any, here: Any) -> None:
-        """States start, start + 1, … of an array, to its rows; what is left of a row stays."""
+        """States start, start + 1, … of an array, to its rows; the rest of a row is unchanged."""
         with self.loop(self.program.n) as joint, self.loop(here) as k:
             entry = self.entry(name, self.build.add(start, k), joint)
             value = self.build.load(entry, typ=_DOUBLE, align=1)
             self.build.store(value, self.place(name, joint, k))
 
     def turn(self) -> None:
-        """Rows of cosines and sines: ours, and libm's of each angle that is too large for ours.
+        """Rows of cosines and sines: by `sincos`, and by libm for each angle beyond `FAR`.
 
-        Angle by angle, so that no state's digits depend on which others are in its block.
+        Angle by angle, so that a state's digits do not depend on others in its block.
         """
         angles = self.program.n * BLOCK  # the rows of all joints, one after the other
         self.build.store(constant(0.0), self.largest)
@@ -99,7 +99,7 @@ class _Writer:
                 self.store(value_of(line, values), "out", place, k)
 
     def scatter(self, start: Any, here: Any) -> None:
-        """The results' rows to where the caller wants them, along what lies close together."""
+        """Copy the rows of results to the caller's array, along its contiguous axis."""
         build, (_, state_step, entry_step) = self.build, self.arrays["out"]
         done = self.scatter_eights(start, here)
         left = build.sub(integer(len(self.program.outputs)), done)
@@ -125,9 +125,9 @@ class _Writer:
                 move(k, index)
 
     def scatter_eights(self, start: Any, here: Any) -> Any:
-        """Of a whole block, where a state's entries lie together, eight entries at once; how many.
+        """Of a whole block with contiguous entries, copy eight at once; returns how many entries.
 
-        Written one by one, a matrix's entries would take as long as working them out.
+        One by one, copying a matrix would take as long as computing it.
         """
         build, (_, _, entry_step) = self.build, self.arrays["out"]
         whole = build.icmp_signed("==", here, integer(BLOCK))
@@ -173,11 +173,11 @@ class _Writer:
         self.build.store(register, self.place(name, index, k), align=8 * LANES)
 
     def too_large(self, size: Any) -> Any:
-        """Whether ours are too rough for an angle of this size; no number is not."""
+        """Whether an angle is too large for `sincos`; false for nan."""
         return self.build.fcmp_ordered(">", size, ir.Constant(_DOUBLE, FAR))
 
     def call(self, name: str, *arguments: Any, gives: ir.Type | None = None) -> Any:
-        """One of LLVM's own functions; it gives what it takes unless told."""
+        """Call an intrinsic of LLVM; by default it returns the type of its first argument."""
         if name not in self.module.globals:
             takes = [argument.type for argument in arguments]
             ir.Function(self.module, ir.FunctionType(gives or takes[0], takes), name)

@@ -1,4 +1,4 @@
-"""Python's arithmetic, written down as LLVM's instructions: on `LANES` float64 side by side."""
+"""Python's arithmetic as LLVM instructions on vectors of `LANES` float64."""
 
 from __future__ import annotations
 
@@ -20,21 +20,21 @@ __all__ = [
     "transposed",
 ]
 
-#: One AVX-512 register; LLVM makes two or four of it where registers are shorter.
+#: One AVX-512 register; LLVM splits it where registers are shorter.
 LANES = 8
 
 VECTOR = ir.VectorType(ir.DoubleType(), LANES)
 INTEGER = ir.IntType(64)
 _ALL = range(LANES)
 
-#: A product and a sum may become one fused multiply-add; nothing else may be moved or dropped,
-#: since the reduction of angles needs every rounding where it stands (`sincos`).
+#: A product and a sum may become a fused multiply-add; nothing else may be reordered, since the
+#: reduction of angles depends on every rounding (`sincos`).
 _FLAGS = ("contract",)
 
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """Eight values in a register.  Numbers beside them stand for eight of the same."""
+    """Eight values in a register; a number combined with them is repeated eight times."""
 
     builder: ir.IRBuilder
     register: Any
@@ -95,7 +95,7 @@ def counted_loop(builder: ir.IRBuilder, stop: Any, step: int = 1) -> Iterator[An
 
 
 def transposed(rows: Sequence[Values]) -> list[Values]:
-    """Eight rows of eight, mirrored: neighbours change places, then pairs, then fours."""
+    """The transpose of eight rows of eight: swaps neighbours, then pairs, then fours."""
     rows = list(rows)
     for step in (1, 2, 4):
         for i in (i for i in range(LANES) if not i & step):

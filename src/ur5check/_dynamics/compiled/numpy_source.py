@@ -1,4 +1,4 @@
-"""A program as a module for NumPy: blocks of states, one contiguous row a joint, line by line."""
+"""A program as a module for NumPy: blocks of states, one contiguous row per joint."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from ..symbolic.program import Program, read_input
 
 __all__ = ["BLOCK", "numpy_source"]
 
-BLOCK = 4096  # states: a row of 32 kB, of which the processor's second cache holds many
+BLOCK = 4096  # states: a row of 32 kB, of which many fit into the second-level cache
 
 
 def numpy_source(program: Program) -> str:
     """The module's text; its `run(q, qd, qdd, out)` takes float64 arrays, any strides.
 
-    q, qd, qdd : shape (N, n), those of `program.arguments`; the others are not looked at
+    q, qd, qdd : shape (N, n), those of `program.arguments`; others are ignored
     out : shape (N, entries of the result)
     """
     body = [

@@ -1,15 +1,15 @@
-"""Sine and cosine by sums and products alone, so that a processor takes eight at a time.
+"""Sine and cosine by sums and products alone, for vector instructions.
 
-A libm's functions look things up and branch, which stops vector units.  Here the angle is brought
-to r in [−π/2, π/2] by a multiple m of π, taken off in three parts (Cody & Waite 1980), and
+The functions of libm use tables and branches, which cannot be vectorised.  Here the angle is
+reduced to r in [−π/2, π/2] by a multiple m of π, subtracted in three parts (Cody & Waite 1980), and
 
     sin x = (−1)^m sin r,   cos x = (−1)^m cos r,
 
 where sin r / r and cos r are polynomials in r² (`SIN`, `COS`: Chebyshev fits on the interval, whose
-errors 2e-19 and 4e-18 are far below rounding).  Rounding to an integer is done by adding and taking
-away 1.5 · 2⁵², after which no fraction is left.
+errors 2e-19 and 4e-18 are far below rounding).  Adding and subtracting 1.5 · 2⁵² rounds to an
+integer.
 
-Up to `FAR` radians a value is within 2 ulp of 1 of the true one; beyond, a kernel asks libm.
+Up to `FAR` radians a value is within 2 ulp of 1 of the true one; beyond, a kernel calls libm.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ _ROUND = 6755399441055744.0  # 1.5 · 2⁵²
 def turned(x: Any) -> tuple[Any, Any]:
     """cos x and sin x of anything that adds and multiplies as float64 does [rad].
 
-    Arrays of NumPy do; so do `llvm_values.Values`, which write down what is done to them.
+    For example arrays of NumPy, and `llvm_values.Values`.
     """
     m = (x * (1.0 / math.pi) + _ROUND) - _ROUND
     r = ((x - m * PI[0]) - m * PI[1]) - m * PI[2]

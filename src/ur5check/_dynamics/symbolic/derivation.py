@@ -1,4 +1,4 @@
-"""A closed form, and what it took: operations at each stage, and time."""
+"""A closed form with its operation counts at each stage, and the time of its derivation."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ __all__ = ["Derivation", "derive"]
 
 @dataclass(frozen=True, eq=False)
 class Derivation:
-    """A program and the road to it.
+    """A program and the operation counts of its derivation.
 
-    written : operations of the recursion as it is written, each equal value formed once
-    factored : of the arm's own numbers, factored
-    program : with inertial parameters regrouped before, where they are numbers
-    seconds : that all this took
+    written : operations of the recursion as written, equal values shared
+    factored : operations with the arm's own numbers, factored
+    program : with inertial parameters regrouped before, where they are numeric
+    seconds : time of the derivation
     """
 
     written: Operations
@@ -31,10 +31,10 @@ class Derivation:
 
     @property
     def stages(self) -> Sequence[tuple[str, Operations]]:
-        """What was done, and the operations that were left then."""
+        """Each step of the derivation, and the operations after it."""
         stages = [
             ("the recursion as written, equal values shared", self.written),
-            ("constants folded, gravity as lift of the base, factored", self.factored),
+            ("constants folded, gravity as base acceleration, factored", self.factored),
         ]
         if not self.program.parameters and self.program.quantity != "regressor":
             stages.append(("inertial parameters regrouped before", self.program.operations))
@@ -44,9 +44,9 @@ class Derivation:
 def derive(
     arm: SerialArm, quantity: Quantity = "tau", *, parameters: Parameters = "numeric"
 ) -> Derivation:
-    """The closed form of a quantity, as `trace` finds it, and how it came about.
+    """The closed form of a quantity by `trace`, with its operation counts.
 
-    Raises UsageError for a quantity that there is none of.
+    Raises UsageError for an unknown quantity.
     """
     start = perf_counter()
     written = as_written(arm, quantity, parameters=parameters)

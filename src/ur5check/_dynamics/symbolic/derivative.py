@@ -12,10 +12,10 @@ __all__ = ["derivatives"]
 
 
 def derivatives(values: Sequence[Scalar], wrt: Value) -> list[Scalar]:
-    """∂ value / ∂ wrt of each value, wrt an input; what does not depend on it gives 0.0."""
+    """∂ value / ∂ wrt of each value, wrt an input; 0.0 for a value that does not depend on it."""
     graph = wrt.graph
     known: dict[Node, Scalar] = {}
-    # Operands stand before what is made of them, so one walk in order meets each node once.
+    # Operands come before their results, so one pass in order suffices.
     for node in range(max((v.node for v in values if isinstance(v, Value)), default=0) + 1):
         known[node] = _derivative(graph, node, wrt.node, known)
     return [times(known[v.node], v.factor) if isinstance(v, Value) else 0.0 for v in values]

@@ -1,11 +1,11 @@
-"""A scalar that writes down what is done to it.
+"""A scalar that records its operations as a graph.
 
-The recursion of `dynamics` runs on whatever has + − ×.  Run on `Value`s, it leaves a graph behind:
-every sum and product that it formed, each formed once (equal ones are the same node).  Nothing is
-expanded, so a chain of 48 joints leaves 48 times what one joint leaves.
+The recursion runs on any scalar with + − ×.  Run on `Value`s, it builds a graph of all its sums and
+products, in which equal ones are the same node.  Nothing is expanded, so the graph grows linearly
+with the number of joints.
 
-A `Value` is a number times a node.  Numbers therefore never become nodes: signs and constants
-multiply out as they are met, and 0.5·(2·x) is x itself.
+A `Value` is a number times a node.  Numbers therefore are no nodes: signs and constants are
+multiplied at once, and 0.5·(2·x) is x.
 """
 
 from __future__ import annotations
@@ -20,17 +20,16 @@ from .program import Operations
 
 __all__ = ["Graph", "Value"]
 
-#: A factor below this is zero.  No number of a robot is as small, in any unit; products of such
-#: factors would run out of digits below 1e-308, and `factoring`, which divides them by each other,
-#: would make torques of what is left.
-_NOTHING = 1e-60
+#: A smaller factor is zero.  No number of a robot is as small in any unit; products of such factors
+#: would underflow below 1e-308, and `factoring` divides them by each other.
+_ZERO_FACTOR = 1e-60
 
 
 @dataclass(slots=True)
 class Graph:
-    """All nodes, operands before what is made of them, none of them twice.
+    """All nodes, operands before their results, without duplicates.
 
-    simplify : whether sums are tried against `identities`
+    simplify : whether `identities` are applied to sums
     """
 
     simplify: bool = True
@@ -49,7 +48,7 @@ class Graph:
         return c, s
 
     def place(self, node: Made) -> Node:
-        """Where this node stands; it is added when it is new."""
+        """The index of this node, which is added if it is new."""
         found = self._place.get(node)
         if found is None:
             found = self._place[node] = len(self.nodes)
@@ -69,7 +68,7 @@ class Graph:
         return sorted(found)
 
     def operations(self, outputs: Sequence[Scalar]) -> Operations:
-        """× and + of what the outputs need, as it was formed; each node once."""
+        """× and + needed for the outputs, each node once."""
         needed = self.reached([value.node for value in outputs if isinstance(value, Value)])
         made = [self.nodes[node] for node in needed]
         sums = [node for node in made if isinstance(node, Sum)]
@@ -86,8 +85,7 @@ class Graph:
 class Value:
     """`factor` times `node`: a scalar for `_dynamics.vectors`.
 
-    A result that is zero whatever the inputs are comes back as the constant 0.0, which `vectors`
-    then drops.
+    A result that is zero for all inputs is returned as the constant 0.0, which `vectors` omits.
     """
 
     graph: Graph
@@ -111,7 +109,7 @@ class Value:
     def __add__(self, other: Scalar) -> Scalar:
         if not isinstance(other, Value):
             number = float(other)
-            return self if abs(number) < _NOTHING else self + self.graph.constant(number)
+            return self if abs(number) < _ZERO_FACTOR else self + self.graph.constant(number)
         if self.node == other.node:
             return _value(self.graph, self.factor + other.factor, self.node)
         graph = self.graph
@@ -134,4 +132,4 @@ class Value:
 
 
 def _value(graph: Graph, factor: float, node: Node) -> Scalar:
-    return Value(graph, factor, node) if abs(factor) >= _NOTHING else 0.0
+    return Value(graph, factor, node) if abs(factor) >= _ZERO_FACTOR else 0.0

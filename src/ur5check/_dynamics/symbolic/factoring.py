@@ -1,17 +1,17 @@
-"""Fewer operations for the same lines: factor, group and share, greedily.
+"""Greedy reduction of operations: factoring, grouping and sharing.
 
-Three rewrites, each of which names one new line and puts it where it occurs:
+Three rewrites, each of which defines a new line and uses it wherever it occurs:
 
     a pair of terms     k g x + ρ k g y  =  k g · p,   p = x + ρ y     in one line or in many
     a pair of factors   x y …            =  p …,       p = x y
     a scaled factor     k x …            =  p …,       p = k x
 
-A pair of terms covers what has three names elsewhere: a shared sub-sum (g empty, several lines), a
+A pair of terms covers three cases: a shared sub-sum (g empty, several lines), a
 factored product (c x + c y = c (x + y)), and a grouped constant.  The rewrite that saves most
-operations goes first, until none saves any: the greedy algorithm of Hosangadi, Fallah & Kastner,
-"Optimizing polynomial expressions by algebraic factorization and common subexpression
-elimination", IEEE TCAD 25(10), 2006, with constants.  Only lines that a rewrite touched are looked
-at again, so the work grows with the length of the program.
+operations is applied first, until none saves any: the greedy algorithm of Hosangadi, Fallah &
+Kastner, "Optimizing polynomial expressions by algebraic factorization and common subexpression
+elimination", IEEE TCAD 25(10), 2006, with constants.  Only lines that a rewrite changed are indexed
+again, so that the work is linear in the length of the program.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ __all__ = ["factored"]
 
 
 class Rewrite(NamedTuple):
-    """A pattern as a line, the places where it will stand, and the terms that stand there then."""
+    """A pattern as a line, the operations it saves, and the places it replaces."""
 
     saving: int
     line: Line
@@ -38,14 +38,14 @@ class Rewrite(NamedTuple):
 
 
 def factored(lines: dict[Node, Line], fresh: Node) -> dict[Node, Line]:
-    """The same lines with fewer operations, and new ones, called `fresh` and up; in no order."""
+    """The same lines with fewer operations, and new ones named `fresh`, `fresh + 1`, …."""
     rewriter = _Rewriter(lines, fresh)
     rewriter.run()
     return _without_aliases(rewriter.lines)
 
 
 def _without_aliases(lines: dict[Node, Line]) -> dict[Node, Line]:
-    """Lines that came down to ± another line stand under that line's name; outputs keep theirs."""
+    """Replace lines that are ± another line by that line; outputs are kept."""
     alias: dict[Node, tuple[Node, float]] = {}
     for name, line in lines.items():
         if name >= 0 and len(line) == 1:
@@ -82,24 +82,24 @@ class _Rewriter:
         self.pushed = 0
 
     def run(self) -> None:
-        self.look_at(self.lines)
+        self.index(self.lines)
         while self.queue:
             promised, *_, pattern = heapq.heappop(self.queue)
             rewrite = self.best(pattern)
             if rewrite.saving == -promised:
                 self.apply(pattern, rewrite)
-            else:  # its lines have changed since
+            else:  # its lines have changed
                 self.push(pattern, rewrite.saving)
 
     def push(self, pattern: Pattern, saving: int) -> None:
-        """Among equal savings pairs of terms go first (it leaves less), then earlier finds."""
+        """Of equal savings, pairs of terms first (better in the end), then earlier ones."""
         if saving > 0:
             self.pushed += 1
             order = (-saving, not isinstance(pattern, TermPair), self.pushed)
             heapq.heappush(self.queue, (*order, pattern))
 
-    def look_at(self, names: Iterable[Node]) -> None:
-        """Index these lines afresh."""
+    def index(self, names: Iterable[Node]) -> None:
+        """Index these lines again."""
         touched: dict[Pattern, None] = {}
         for name in names:
             for pattern in self.patterns.get(name, ()):
@@ -115,10 +115,10 @@ class _Rewriter:
             self.push(pattern, self.best(pattern).saving)
 
     def best(self, pattern: Pattern) -> Rewrite:
-        """What the pattern saves, in the form that saves most."""
+        """The rewrite of a pattern, in the form that saves most."""
         places = list(self.disjoint(pattern))
         if len(places) < (1 if isinstance(pattern, TermPair) else 2):
-            return Rewrite(0, {}, [])  # a product or a multiple that stands once saves nothing
+            return Rewrite(0, {}, [])  # a product or a multiple that occurs once saves nothing
         before = sum(
             sum(term_cost(term, self.lines[name][term]) for term in place) + len(place) - 1
             for name, place in places
@@ -149,4 +149,4 @@ class _Rewriter:
             for term in place:
                 del line[term]
             line[monomial] = k
-        self.look_at([new, *dict.fromkeys(name for name, _ in rewrite.places)])
+        self.index([new, *dict.fromkeys(name for name, _ in rewrite.places)])

@@ -1,4 +1,4 @@
-"""What `factoring` looks for in a line, and what stands there afterwards."""
+"""The patterns of `factoring`: finding them in a line, and replacing them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = [
     "placed",
 ]
 
-_DIGITS = 14  # constants that agree so far are one constant, differently rounded
+_DIGITS = 14  # constants equal to so many digits differ by rounding only
 
 
 class TermPair(NamedTuple):
@@ -41,7 +41,7 @@ class FactorPair(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Scaled:
-    """k x, with k > 0.  No tuple: (3.0, 3) would be the pair of factors (3, 3)."""
+    """k x, with k > 0.  Not a tuple: (3.0, 3) would equal the pair of factors (3, 3)."""
 
     k: float
     x: Node
@@ -52,7 +52,7 @@ Place = tuple[Monomial, ...]  #: the term, or the two terms, of a line that a pa
 
 
 def patterns_in(line: Line) -> Iterator[tuple[Pattern, Place]]:
-    """Every pattern in a line, and where it is."""
+    """Every pattern of a line, and its place."""
     for term, k in line.items():
         if len(term) > 1:
             for factors in dict.fromkeys(combinations(term, 2)):
@@ -70,7 +70,7 @@ def patterns_in(line: Line) -> Iterator[tuple[Pattern, Place]]:
 
 
 def line_of(pattern: Pattern, places: Sequence[tuple[Line, Place]]) -> list[Line]:
-    """The pattern as a line: for a pair of terms one for each scale that could be the best."""
+    """The pattern as a line: for a pair of terms one for each scale that may be the best."""
     if isinstance(pattern, FactorPair):
         return [{tuple(pattern): 1.0}]
     if isinstance(pattern, Scaled):
@@ -86,7 +86,7 @@ def line_of(pattern: Pattern, places: Sequence[tuple[Line, Place]]) -> list[Line
 def placed(
     pattern: Pattern, made: Line, line: Line, place: Place, name: Node
 ) -> tuple[Monomial, float]:
-    """The term that stands in `line` at `place` once the pattern is a line of its own, `made`."""
+    """The term that replaces `place` in `line` once the pattern is the line `made`."""
     taken = (
         pattern.x
         if isinstance(pattern, TermPair)

@@ -1,4 +1,4 @@
-"""What a graph is made of: inputs, products of two nodes, weighted sums of two nodes."""
+"""The nodes of a graph: inputs, products of two nodes, weighted sums of two nodes."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 __all__ = ["ONE", "Input", "Made", "Node", "Product", "Sum"]
 
-Node = int  #: a place in `Graph.nodes`
+Node = int  #: an index of `Graph.nodes`
 
-ONE: Node = 0  #: the node whose value is 1
+ONE: Node = 0  #: the node with the value 1
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,10 +1,10 @@
-"""Two identities that a sum is tried against as it is formed; each leaves one term of it.
+"""Two identities that reduce a sum of two terms to one.
 
-    a − (a + b)                     =  −b      what was added is taken away again
-    c (c a − s b) + s (s a + c b)   =   a      a vector turned into a frame and back: c² + s² = 1
+    a − (a + b)                     =  −b      cancellation
+    c (c a − s b) + s (s a + c b)   =   a      a rotation and its inverse: c² + s² = 1
 
-The recursion does both.  Eq. (15) writes f_i × r_{i−1,ci} and f_{i+1} × r_{i,ci}, whose difference
-is short; and what eq. (13) turns outward, eq. (14) may turn back unchanged.
+Both occur in the recursion: eq. (15) contains f_i × r_{i−1,ci} and f_{i+1} × r_{i,ci}, whose
+difference is short, and eq. (14) may rotate back what eq. (13) rotated.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Term = tuple[Node, float]
 
 
 class Known(Protocol):
-    """What is asked of a graph."""
+    """The part of a graph that the identities read."""
 
     nodes: list[Made]
     #: the node of sin q for that of cos q, and the other way round
@@ -29,16 +29,16 @@ class Known(Protocol):
 
 
 def simplified(graph: Known, one: Term, other: Term) -> Term | None:
-    """The one term that the sum of two comes down to; None where neither identity fits."""
+    """The one term that the sum of two equals; None where neither identity applies."""
     return (
-        _taken_away(graph.nodes, one, other)
-        or _taken_away(graph.nodes, other, one)
-        or _turned_back(graph, one, other)
-        or _turned_back(graph, other, one)
+        _cancelled(graph.nodes, one, other)
+        or _cancelled(graph.nodes, other, one)
+        or _rotated_back(graph, one, other)
+        or _rotated_back(graph, other, one)
     )
 
 
-def _taken_away(nodes: Sequence[Made], one: Term, other: Term) -> Term | None:
+def _cancelled(nodes: Sequence[Made], one: Term, other: Term) -> Term | None:
     made, (node, k) = nodes[other[0]], one
     if isinstance(made, Sum):
         for (a, ka), (b, kb) in ((_left(made), _right(made)), (_right(made), _left(made))):
@@ -47,7 +47,7 @@ def _taken_away(nodes: Sequence[Made], one: Term, other: Term) -> Term | None:
     return None
 
 
-def _turned_back(graph: Known, one: Term, other: Term) -> Term | None:
+def _rotated_back(graph: Known, one: Term, other: Term) -> Term | None:
     """`one` is c · (…) and `other` s · (…), or the other way round."""
     p, q = graph.nodes[one[0]], graph.nodes[other[0]]
     if not (isinstance(p, Product) and isinstance(q, Product)):

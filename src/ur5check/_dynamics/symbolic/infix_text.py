@@ -1,4 +1,4 @@
-"""Lines of a program as text, the way Python and C both write them."""
+"""Lines of a program as text, in the syntax common to Python and C."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["comments", "description", "right_hand_side"]
 
 
 def comments(mark: str, program: Program, head: Sequence[str]) -> list[str]:
-    """The head of a generated file: what the caller says, then what it computes."""
+    """The head of a generated file: the caller's lines, then the description."""
     blank = [""] if head else []
     return [f"{mark} {line}".rstrip() for line in (*head, *blank, *description(program))]
 
@@ -27,7 +27,7 @@ def right_hand_side(line: Assignment) -> str:
 
 
 def description(program: Program) -> list[str]:
-    """What a program computes, in lines for the head of a generated file."""
+    """What a program computes, for the head of a generated file."""
     recipe = QUANTITIES.get(program.quantity)  # type: ignore[call-overload]
     text = recipe.text if recipe else "difference of two arms' joint torques"
     size = "shape (" + ", ".join(map(str, program.shape)) + ("," * (len(program.shape) == 1)) + ")"

@@ -1,8 +1,8 @@
-"""Entries that are zero for a reason no algebra here sees.
+"""Entries that are zero for all states, found numerically.
 
-Gravity asks nothing of a vertical joint, but to show it takes c² + s² = 1 through the whole arm.  A
-polynomial that vanishes at random points vanishes (Schwartz 1980, Zippel 1979), so entries are
-asked at random states, and symbols at random values.
+Gravity makes no torque on a vertical joint, but proving it takes c² + s² = 1 along the whole arm.
+A polynomial that is zero at random points is zero (Schwartz 1980, Zippel 1979), so entries are
+evaluated at random states and random values of the symbols.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ __all__ = ["vanishing"]
 
 _STATES = 20
 
-#: What is below this part of the largest entry is rounding, of some hundred operations.
+#: A smaller share of the largest entry is rounding, of about a hundred operations.
 _ROUNDING = 64 * float(np.finfo(np.float64).eps)
 
 
 def vanishing(program: Program, seed: int = 0) -> NDArray[np.bool_]:
-    """Which outputs are zero at every state, shape (number of outputs,), though not written so."""
+    """Which outputs are zero at every state, shape (number of outputs,), though they have terms."""
     states = random_states(program.n, _STATES, seed)
     rng = np.random.default_rng(seed)
     values = {name: v * rng.uniform(0.5, 2.0) for name, v in program.parameters.items()}

@@ -1,14 +1,14 @@
-"""The same torques from fewer numbers: regroup the inertial parameters before tracing.
+"""Regrouping of the inertial parameters: the same torques with fewer operations.
 
-What is zero is never multiplied, so the parameters that no torque sees are chosen to be zero, or
-equal where that spares a product of ω × I ω.  For the UR5, 24 of 60 numbers go.  Whose wish comes
-first decides how many operations are left, by a tenth or so; `regrouped` starts from an order that
-does well and climbs over others, from a fixed seed.
+A factor of zero costs no operation, so unidentifiable parameters are set to zero, or equal to each
+other where that saves a product of ω × I ω.  For the UR5, 24 of 60 numbers vanish.  The order of
+the target values changes the number of operations by about a tenth; `regroupings` starts from a
+good order and searches over others, with a fixed seed.
 
-Regrouped numbers belong to no body: a mass may be negative, or zero with a first moment left.  The
-recursion takes them as they are (`LinkConstants.h`), about the far origin of each link.  Origins
-are slid along their joint axes first, where that shortens the chain: a URDF may write an offset
-twice that a DH table cancels.
+Regrouped parameters belong to no body: a mass may be negative, or zero with a first moment.  The
+recursion accepts them (`LinkConstants.h`), about the origin at the tip of each link.  Origins are
+first moved along their joint axes where that shortens the chain: a URDF may contain an offset twice
+that a DH table cancels.
 
 References: Khalil & Kleinfinger, "Minimum operations and minimum parameters of the dynamic models
 of tree structure robots", IEEE J. Robotics and Automation 3(6), 1987, pp. 517–526.
@@ -32,15 +32,14 @@ __all__ = ["moments_chain", "regroupings", "slid"]
 
 _PARALLEL = 1e-9  # sine of an angle between axes; rounded angles are finer
 
-#: Regrouped numbers may make this many times the torque alone that the arm's own do; what is more
-#: must cancel, and takes more than two digits along.
+#: Largest ratio of the cancellation bounds of regrouped and original parameters: two digits lost.
 _CANCELLATION = 100.0
 
-#: What rounding may change of the torques, as a part of what the parameters make alone: ε, summed
-#: over some hundred terms that are louder by `_CANCELLATION`.
+#: Largest change of the torques by rounding, as a share of the cancellation bound: ε summed over
+#: some hundred terms that are larger by `_CANCELLATION`.
 _CHANGED = 1e-12
 
-#: What we wish of a link, in an order that does well: moments, first moments, mass, products.
+#: Target values of a link in a good order: moments, first moments, mass, products.
 _TARGET_VALUES = (
     ("Ixx",), ("Iyy",), ("Izz",), ("mx",), ("my",), ("mz",), ("m",), ("Ixy",), ("Ixz",), ("Iyz",),
     ("Ixx", "Iyy"), ("Iyy", "Izz"), ("Ixx", "Izz"),
@@ -57,8 +56,8 @@ def regroupings(
 ) -> list[Chain]:
     """Chains with the same torques as the arm, to rounding; the arm's own first, the cheapest last.
 
-    cost : some measure of what is to be traced from a chain
-    tries : how many orders of wishes to look at, beyond the first
+    cost : a measure of the operations of a chain
+    tries : number of orders of target values to try, beyond the first
     less : an arm of the same geometry; the chains then have the difference of the two's torques
     """
     if less is None:
@@ -70,7 +69,7 @@ def regroupings(
     arm = slid(arm)
     unseen = Unseen(arm, None if less is None else slid(less))
     directions = unseen.null_space.shape[1]
-    rng = random.Random(seed)  # noqa: S311 - a search, no secret
+    rng = random.Random(seed)  # noqa: S311 - a search, not cryptography
     best = [
         TargetValue(link, *names) for link in reversed(range(arm.n)) for names in _TARGET_VALUES
     ]
@@ -88,7 +87,7 @@ def regroupings(
         operations = cost(chain)
         if operations < fewest:
             found.append(chain)
-        if operations <= fewest:  # sideways, too: plateaus are wide
+        if operations <= fewest:  # equal ones too: plateaus are wide
             fewest, best = operations, target_values
     return found
 
@@ -107,16 +106,15 @@ def moments_chain(arm: SerialArm, pi: Array) -> Chain:
 def slid(arm: SerialArm) -> SerialArm:
     """The same arm with each origin i moved along joint axis i + 1, close to joint axis i.
 
-    An origin may stand anywhere on the next joint's axis.  The foot of the common normal makes the
-    vector from origin to origin shortest, as a DH table has it.  Of axes that are all but parallel
-    it may be a mile away, and numbers about it would only cancel: no origin is moved by more than
-    the arm could reach.
+    An origin may lie anywhere on the next joint's axis.  The foot of the common normal makes the
+    vector from origin to origin shortest, as in a DH table.  Of almost parallel axes it may be far
+    away, and parameters about it would cancel: no origin is moved by more than the arm's reach.
     """
     links = list(arm.links)
     reach = sum(float(np.linalg.norm(link.link_tip_frame.p)) for link in links)
     for i, (joint, following) in enumerate(zip(arm.joints, arm.joints[1:], strict=False)):
         if "prismatic" in (joint.kind, following.kind):
-            continue  # a slide has no axis in space, only a direction
+            continue  # a prismatic axis has a direction but no position
         P = links[i].link_tip_frame
         u, v = joint.axis, P.R @ following.axis
         along = -float(P.p @ v)

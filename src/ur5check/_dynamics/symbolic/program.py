@@ -1,8 +1,8 @@
-"""A closed form as a straight line: inputs, assignments in order, outputs.
+"""A closed form as a program: inputs, assignments in order, outputs.
 
-Every assignment is a sum of terms, every term a number times names that stand above it.  There are
-no loops, no branches and no functions: the cosines and sines are inputs.  The printers write this
-value down; `evaluate` runs it.
+Every assignment is a sum of terms, every term a number times names defined before it.  There are no
+loops, branches or functions: cosines and sines are inputs.  The printers write a program;
+`evaluate` runs it.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ __all__ = [
     "value_of",
 ]
 
-#: Inputs that stand for a joint's state, joint i from 1: `q1`, cosine `c1`, sine `s1`, rates.
+#: Kinds of inputs of a joint's state, joint i from 1: `q1`, cosine `c1`, sine `s1`, rates.
 STATE = ("q", "c", "s", "qd", "qdd")
 
 
@@ -59,16 +59,16 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """name = Σ terms; no terms are a zero."""
+    """name = Σ terms; zero without terms."""
 
     name: str
     terms: tuple[Term, ...]
 
 
 def value_of(line: Assignment, values: Mapping[str, Any]) -> Any:
-    """Σ k · (product of the named values), by whatever their + − × do.
+    """Σ k · (product of the named values), for any scalars with + − ×.
 
-    Signs are free: a k of ±1 multiplies nothing, and a negative term is taken away.
+    Signs are free: a k of ±1 is no product, and a negative term is subtracted.
     """
     total: Any = None
     for term in line.terms:
@@ -83,7 +83,7 @@ def value_of(line: Assignment, values: Mapping[str, Any]) -> Any:
 
 @dataclass(frozen=True, slots=True)
 class Operations:
-    """How many × and how many + (or −).  Signs are free: −x − y counts as one addition."""
+    """Numbers of × and of + (or −).  Signs are free: −x − y counts as one addition."""
 
     multiplications: int
     additions: int
@@ -111,11 +111,11 @@ class Program:
     quantity : "tau", "M", "C", "g", "bias", "regressor" or "difference"
     unit : of the outputs
     shape : of the result at one state
-    inputs : the state's names that are used, of those in STATE
-    parameters : numbers left as symbols, with the value that the arm gives them
-    setup : assignments that only parameters enter; to be worked out once an arm
-    assignments : the others, in order, once a state
-    outputs : one assignment an entry of the result, row by row
+    inputs : names of the state that are used, of the kinds in STATE
+    parameters : symbols with their values of the arm
+    setup : assignments of parameters alone, computed once per arm
+    assignments : the others, in order, computed once per state
+    outputs : one assignment per entry of the result, row by row
     """
 
     arm: str
@@ -131,12 +131,12 @@ class Program:
 
     @property
     def operations(self) -> Operations:
-        """Once a state; the cosines and sines of the joint angles come on top."""
+        """Per state, without the cosines and sines of the joint angles."""
         return Operations.of((*self.assignments, *self.outputs))
 
     @property
     def setup_operations(self) -> Operations:
-        """Once an arm, where parameters are symbols."""
+        """Per arm, where parameters are symbols."""
         return Operations.of(self.setup)
 
     @property
@@ -157,10 +157,12 @@ class Program:
         q, qd, qdd : array-like, shape (..., n) [rad], [rad/s], [rad/s²]; those of `arguments`
         parameters : other values for some of the symbols
 
-        Raises StateError for what is missing, of another shape or no parameter.
+        Raises StateError for a missing array, a wrong shape or an unknown parameter.
         """
         if unknown := parameters.keys() - self.parameters.keys():
-            raise StateError(f"{min(unknown)} is no parameter of this program; see its parameters")
+            raise StateError(
+                f"{min(unknown)} is not a parameter of this program; see its parameters"
+            )
         given = {"q": q, "qd": qd, "qdd": qdd}
         arrays = {name: self._checked(name, given[name]) for name in self.arguments}
         lead = np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))

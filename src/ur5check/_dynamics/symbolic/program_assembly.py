@@ -1,4 +1,4 @@
-"""Lines to a program: in order, named, parameters apart from the state."""
+"""Lines to a program: ordered, named, those of parameters separate from those of the state."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def assemble(
     shape: tuple[int, ...],
     parameters: Mapping[str, float],
 ) -> Program:
-    """The program that works out `outputs`, values of `graph`, with as few operations as we can."""
+    """The program that computes `outputs`, values of `graph`, factored."""
     lines = factored(lines_of(graph, outputs), len(graph.nodes))
     ends = [output_name(place) for place in range(len(outputs))]
     order = _in_order(lines, ends)
@@ -33,7 +33,7 @@ def assemble(
     used = {atom for node in (*order, *ends) for atom in _atoms(lines[node])}
 
     known = {node for node, name in inputs.items() if name in parameters}
-    early = []  # lines that only parameters enter
+    early = []  # lines of parameters alone
     for node in order:
         if known.issuperset(_atoms(lines[node])):
             known.add(node)
@@ -73,7 +73,7 @@ def _atoms(line: Line) -> set[Node]:
 
 
 def _assignment(names: Mapping[Node, str], node: Node, line: Line) -> Assignment:
-    """Positive terms first: a leading minus reads badly."""
+    """Positive terms first, so that few lines begin with a minus."""
     terms = [Term(k, tuple(names[atom] for atom in monomial)) for monomial, k in line.items()]
     return Assignment(names[node], tuple(sorted(terms, key=lambda term: term.k < 0.0)))
 

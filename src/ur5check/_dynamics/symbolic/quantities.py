@@ -1,4 +1,4 @@
-"""What can be had in closed form, and how each is asked of the one recursion."""
+"""The quantities with a closed form, each computed by the recursion."""
 
 from __future__ import annotations
 
@@ -16,17 +16,16 @@ from .derivative import derivatives
 from .expression_graph import Graph
 from .program import state_names
 
-__all__ = ["QUANTITIES", "Asked", "Quantity", "Recipe", "symbolic_state"]
+__all__ = ["QUANTITIES", "Quantity", "Recipe", "RecipeInput", "symbolic_state"]
 
 Quantity = Literal["tau", "M", "C", "g", "bias", "regressor"]
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
-    """What a recipe works with: an arm's chain, a symbolic state, and gravity g_0.
+class RecipeInput:
+    """The input of a recipe: an arm's chain, a symbolic state, and gravity g_0.
 
-    Gravity may come as `gravity`, which every link then hears of, or as `base_acceleration` −g_0 of
-    the base.
+    Gravity is given either as `gravity`, applied at every link, or as `base_acceleration` −g_0.
     """
 
     chain: Chain
@@ -46,7 +45,7 @@ class Recipe:
     text: str
     unit: str
     shape: Callable[[int], tuple[int, ...]]
-    entries: Callable[[Asked], list[Scalar]]
+    entries: Callable[[RecipeInput], list[Scalar]]
 
 
 def symbolic_state(graph: Graph, n: int) -> JointState:
@@ -59,40 +58,40 @@ def symbolic_state(graph: Graph, n: int) -> JointState:
     return JointState(q, cos, sin, qd, qdd)
 
 
-def _tau(asked: Asked) -> list[Scalar]:
-    return joint_torques(asked.chain, asked.state, asked.gravity, asked.base_acceleration)
+def _tau(given: RecipeInput) -> list[Scalar]:
+    return joint_torques(given.chain, given.state, given.gravity, given.base_acceleration)
 
 
-def _bias(asked: Asked) -> list[Scalar]:
-    state = asked.state.with_motion(asked.state.qd, asked.still)
-    return joint_torques(asked.chain, state, asked.gravity, asked.base_acceleration)
+def _bias(given: RecipeInput) -> list[Scalar]:
+    state = given.state.with_motion(given.state.qd, given.still)
+    return joint_torques(given.chain, state, given.gravity, given.base_acceleration)
 
 
-def _gravity(asked: Asked) -> list[Scalar]:
-    return joint_torques(asked.chain, asked.state.resting(), asked.gravity, asked.base_acceleration)
+def _gravity(given: RecipeInput) -> list[Scalar]:
+    return joint_torques(given.chain, given.state.resting(), given.gravity, given.base_acceleration)
 
 
-def _mass(asked: Asked) -> list[Scalar]:
-    """Entry (i, j) from column max(i, j), which starts moving later: M is symmetric."""
-    columns = mass_columns(asked.chain, asked.state)
+def _mass(given: RecipeInput) -> list[Scalar]:
+    """Entry (i, j) from column max(i, j), which has fewer moving links: M is symmetric."""
+    columns = mass_columns(given.chain, given.state)
     places = range(len(columns))
     return [columns[max(i, j)][min(i, j)] for i in places for j in places]
 
 
-def _coriolis(asked: Asked) -> list[Scalar]:
+def _coriolis(given: RecipeInput) -> list[Scalar]:
     """C_ij = ½ ∂h_i/∂q̇_j with h the velocity torque: for h_i = Σ c_ijk q̇_j q̇_k, Christoffel's C.
 
     The same matrix as `equations.coriolis_matrix`, which takes the quadratic form's differences.
     """
-    state = asked.state.with_motion(asked.state.qd, asked.still)
-    h = joint_torques(asked.chain, state, ZERO)
+    state = given.state.with_motion(given.state.qd, given.still)
+    h = joint_torques(given.chain, state, ZERO)
     columns = [derivatives(h, rate) for rate in state.qd]
     return [0.5 * entry for row in zip(*columns, strict=True) for entry in row]
 
 
-def _regressor(asked: Asked) -> list[Scalar]:
+def _regressor(given: RecipeInput) -> list[Scalar]:
     return regressor_rows(
-        asked.chain, outward(asked.chain, asked.state, asked.gravity, asked.base_acceleration)
+        given.chain, outward(given.chain, given.state, given.gravity, given.base_acceleration)
     )
 
 

@@ -1,8 +1,8 @@
-"""The graph as sums of products: what the program's lines are made of.
+"""The graph as sums of products, the lines of a program.
 
-A line is Σ k · (product of atoms), an atom being an input or another line.  A sum that is used
-once, as a term of another, is not worth a line and dissolves in it: so a torque's line shows all
-that was added up along the arm, and what its terms share can be seen.
+A line is Σ k · (product of atoms); an atom is an input or another line.  A sum that is used once,
+as a term of another, is merged into it, so that `factoring` finds the common factors of all its
+terms.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Line = dict[Monomial, float]  #: Σ k · monomial; empty where the line is zero
 
 
 def output_name(place: int) -> Node:
-    """What the line of output number `place` is called: −1, −2, …"""
+    """The name of the line of output number `place`: −1, −2, …"""
     return -1 - place
 
 
@@ -37,7 +37,7 @@ def cost(line: Line) -> int:
 
 
 def lines_of(graph: Graph, outputs: Sequence[Scalar]) -> dict[Node, Line]:
-    """The lines that the outputs need, and one line an output, called `output_name(place)`.
+    """The lines that the outputs need, and one line per output, named `output_name(place)`.
 
     outputs : values of `graph`, or plain numbers
     """
@@ -48,7 +48,7 @@ def lines_of(graph: Graph, outputs: Sequence[Scalar]) -> dict[Node, Line]:
     monomials: dict[Node, tuple[float, Monomial]] = {}
 
     def taken(node: Node, k: float) -> Line:
-        """k times a node, as terms: a line that nobody else needs dissolves."""
+        """k times a node, as terms; a line with no other use is merged."""
         if node in lines and uses[node] == as_term[node] == 1:
             return {monomial: k * factor for monomial, factor in lines.pop(node).items()}
         factor, monomial = monomials[node]
@@ -63,7 +63,7 @@ def lines_of(graph: Graph, outputs: Sequence[Scalar]) -> dict[Node, Line]:
             line = added(taken(made.a, made.ka), taken(made.b, made.kb))
             if len(line) > 1:
                 lines[node], monomials[node] = line, (1.0, (node,))
-            else:  # terms that cancelled as the sum dissolved
+            else:  # terms that cancelled in the merger
                 ((monomial, k),) = line.items() or [((), 0.0)]
                 monomials[node] = k, monomial
         else:
@@ -74,7 +74,7 @@ def lines_of(graph: Graph, outputs: Sequence[Scalar]) -> dict[Node, Line]:
 
 
 def added(left: Line, right: Line) -> Line:
-    """The sum of two lines; terms that cancel go."""
+    """The sum of two lines; terms that cancel are dropped."""
     line = dict(left)
     for monomial, k in right.items():
         line[monomial] = line.get(monomial, 0.0) + k
@@ -84,7 +84,7 @@ def added(left: Line, right: Line) -> Line:
 def _uses(
     graph: Graph, needed: Sequence[Node], outputs: Sequence[Value]
 ) -> tuple[Counter[Node], Counter[Node]]:
-    """How often each node is used, and how often of these as a term of a sum or as an output."""
+    """Number of uses of each node, and of these as a term of a sum or as an output."""
     uses = Counter(value.node for value in outputs)
     as_term = Counter(uses)
     for node in needed:

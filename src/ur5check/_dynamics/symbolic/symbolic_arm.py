@@ -1,12 +1,12 @@
 """An arm whose numbers are symbols.
 
-What is zero in the arm stays zero, and rotations stay numbers: they are what makes a closed form
-short, and a form that holds for this arm's structure.  Everything else gets a name, with i from 1:
+Zeros of the arm stay zero, and rotations stay numbers: the closed form is short, and valid for arms
+of this structure.  All other numbers get a name, with i from 1:
 
     m_i                     mass [kg]
     cx_i cy_i cz_i          centre of mass in frame i, the paper's r_{i,ci} [m]
     Ixx_i Ixy_i … Izz_i     tensor about it, along the axes of frame i [kg m²]
-    a_i d_i                 lengths of a DH row [m]; for a chain that is no DH table
+    a_i d_i                 lengths of a DH row [m]; for a chain that is not a DH table
     rx_i ry_i rz_i          the vector from origin i−1 to origin i, in frame i [m]
     A_i                     armature [kg m²]
     gx gy gz                gravity in the base frame [m/s²]
@@ -28,11 +28,11 @@ from .expression_graph import Graph
 
 __all__ = ["Symbols"]
 
-_SAME_LENGTH = 1e-12  # [m]: a length that went through a rotation and back
+_SAME_LENGTH = 1e-12  # [m]: rounding of a length by a rotation and its inverse
 
 
 class Symbols:
-    """Names for an arm's numbers, as inputs of a graph; `values` collects what they stand for."""
+    """Names for an arm's numbers, as inputs of a graph; `values` collects their values."""
 
     def __init__(self, graph: Graph) -> None:
         self.graph = graph
@@ -63,7 +63,7 @@ class Symbols:
         )
 
     def _lengths(self, i: int, link: LinkConstants) -> Vector:
-        """r = (a, 0, 0) + d b where that is so, as for every row of a standard DH table."""
+        """r = (a, 0, 0) + d b where possible, as for every row of a standard DH table."""
         r, b = np.array([*link.r]), np.array([*link.b])
         a, d = float(r[0]), float(r @ b)
         along_x = np.array([a, 0.0, 0.0])

@@ -1,17 +1,17 @@
-"""Inertial parameters that no torque can tell from the arm's own, with what we wish in them.
+"""Inertial parameters with the same torques as an arm's own, and with target values.
 
-Torque sees only the base parameters (`identifiability`); the rest may be chosen.  A wish says that
-a parameter be zero, or equal to another one.  Wishes are taken in order, as long as they are
-independent on the null space of the regressor Y: then as many hold as there are directions that no
-torque sees.  The parameters that remain follow from  Y E z = Y π,  π' = E z,  where E spells the
-wishes out: zeros are zeros exactly, and torques are kept to rounding.
+Torques depend only on the base parameters (`identifiability`); the rest may be chosen.  A target
+value sets a parameter to zero, or equal to another one.  Target values are accepted in order, as
+long as they are independent on the null space of the regressor Y: as many as its dimension.  The
+remaining parameters follow from  Y E z = Y π,  π' = E z,  where E encodes the target values: zeros
+are exact, and torques are unchanged to rounding.
 
 `base_parameters.decompose` does not serve here: it scales columns by kind and takes the rank at the
 steepest fall of the singular values, for a report.  This module needs the null space of Y unscaled
 and down to rounding, so that torques stay the same; its basis, and with it the last digits of the
 regrouped parameters, would differ.
 
-References: Khalil & Gautier (1990) for what may be chosen.
+References: Khalil & Gautier (1990) on the free parameters.
 """
 
 from __future__ import annotations
@@ -32,20 +32,19 @@ __all__ = ["TargetValue", "Unseen"]
 
 _EPS = float(np.finfo(np.float64).eps)
 
-#: Part of the largest singular value below which a direction is rounding: ε, summed over columns.
+#: Share of the largest singular value below which a direction is rounding: ε per column.
 _ROUNDING = _EPS
 
-#: A wish is independent of those before it if it may be granted without any of them amplifying
-#: rounding by more than this.
+#: A target value is independent of those before it if together they amplify rounding by less.
 _AMPLIFIED = 1e3
 
-#: Torque that a parameter must make, of the whole, to be more than the rounding of a zero.
+#: Share of the torques below which a parameter's contribution is the rounding of a zero.
 _ZERO_TOLERANCE = 64 * _EPS
 
 
 @dataclass(frozen=True)
 class TargetValue:
-    """That a link's parameter be zero, or equal to another of its parameters."""
+    """A link's parameter is zero, or equal to another of its parameters."""
 
     link: int
     parameter: str
@@ -53,19 +52,19 @@ class TargetValue:
 
     @property
     def places(self) -> tuple[int, ...]:
-        """Where the parameters stand among all 10 n."""
+        """Indices of the parameters among all 10 n."""
         names = (self.parameter,) if self.equal_to is None else (self.parameter, self.equal_to)
         return tuple(10 * self.link + PARAMETERS.index(name) for name in names)
 
 
 @dataclass(frozen=True, eq=False)
 class Unseen:
-    """What may be chosen freely in an arm's inertial parameters.
+    """The unidentifiable directions of an arm's inertial parameters π.
 
-    arm : whose parameters π are to be rewritten
-    less : an arm of the same geometry, whose parameters are taken away: π then makes the difference
+    arm : with the parameters π
+    less : an arm of the same geometry, whose parameters are subtracted: π then gives the difference
         of the two arms' torques
-    seed : of the random states at which Y is asked; the answer does not depend on it
+    seed : of the random states of Y; the result does not depend on it
     """
 
     arm: SerialArm
@@ -88,25 +87,24 @@ class Unseen:
 
     @cached_property
     def null_space(self) -> Array:
-        """Directions that no torque sees, orthonormal, shape (10 n, k)."""
+        """Directions without effect on torques, orthonormal, shape (10 n, k)."""
         _, s, Vt = np.linalg.svd(self.triangle)
         return np.asarray(Vt[s <= len(s) * _ROUNDING * s[0]].T)
 
     def cancellation_bound(self, pi: Array) -> float:
-        """Σ of the torques that each parameter makes alone: what rounding is a part of."""
+        """Σ of the torques of each parameter alone, to which rounding errors are proportional."""
         return float(np.linalg.norm(self.triangle, axis=0) @ np.abs(pi))
 
     def change(self, pi: Array) -> float:
-        """How far torques with parameters π' are from those of π, as a part of its loudness."""
+        """Change of the torques from π to another, as a share of its cancellation bound."""
         change = float(np.linalg.norm(self.triangle @ (pi - self.pi)))
         return change / (self.cancellation_bound(self.pi) or 1.0)
 
     def feasible(self, target_values: Sequence[TargetValue]) -> list[TargetValue]:
-        """The first wishes that can all be granted, at most one a direction.
+        """The first target values that hold together, at most one per direction.
 
-        Rows of the null space, made orthogonal one by one: rows = L · spanned.  L⁻¹ says how far
-        directions must go to fulfil the wishes, however many nearly depend on each other: along a
-        chain, small remainders multiply.
+        Rows of the null space are orthogonalised one by one: rows = L · spanned.  L⁻¹ bounds the
+        amplification of rounding, also where many rows are nearly dependent.
         """
         feasible: list[TargetValue] = []
         spanned = np.zeros((0, self.null_space.shape[1]))
@@ -131,8 +129,8 @@ class Unseen:
         return feasible
 
     def parameters(self, target_values: Sequence[TargetValue]) -> Array:
-        """π', shape (10 n,): the same torques, and the wishes that can be granted."""
-        E = _spelled_out(self.feasible(target_values), len(self.pi))
+        """π', shape (10 n,): with the same torques, and the feasible target values."""
+        E = _constraint_matrix(self.feasible(target_values), len(self.pi))
         torque, columns = self.triangle @ self.pi, self.triangle @ E
         z = np.linalg.lstsq(columns, torque, rcond=None)[0]
         z[
@@ -141,7 +139,7 @@ class Unseen:
         return np.asarray(E @ z)
 
 
-def _spelled_out(target_values: Sequence[TargetValue], count: int) -> Array:
+def _constraint_matrix(target_values: Sequence[TargetValue], count: int) -> Array:
     """E, shape (count, remaining): a column for each parameter, or each group of equal ones."""
     group = list(range(count))
     for target_value in target_values:

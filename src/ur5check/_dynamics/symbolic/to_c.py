@@ -1,4 +1,4 @@
-"""A program as C99 that needs the standard library's cos and sin, and nothing else."""
+"""A program as C99, which needs only cos and sin of the standard library."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ __all__ = ["to_c"]
 def to_c(program: Program, *, head: Sequence[str] = ()) -> str:
     """One function, `void tau(const double q[6], …, double result[6])`; it allocates nothing.
 
-    The result lies row by row.  Parameters left as symbols come in a struct, `tau_parameters`,
+    The result is stored row by row.  Parameters left as symbols come in a struct, `tau_parameters`,
     whose values for the arm itself are `tau_defaults`.
 
-    head : lines for the top of the file, such as where it came from; they become comments
+    head : lines for the top of the file, such as its provenance, written as comments
     """
     name = program.quantity
     takes = [f"const double {argument}[{program.n}]" for argument in program.arguments]

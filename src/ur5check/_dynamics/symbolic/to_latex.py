@@ -1,4 +1,4 @@
-"""A program as LaTeX: one line an assignment, in an align* of amsmath."""
+"""A program as LaTeX: one line per assignment, in an align* of amsmath."""
 
 from __future__ import annotations
 
@@ -16,11 +16,10 @@ _SCIENTIFIC = re.compile(r"(.*)e([-+]\d+)")
 
 
 def to_latex(program: Program, *, head: Sequence[str] = (), digits: int = 6) -> str:
-    """What can be read: c_i and s_i are the cosine and sine of q_i, x_i and p_i are shared values.
+    """For reading: c_i and s_i are the cosine and sine of q_i, x_i and p_i are shared values.
 
-    digits : of the constants.  A page is for reading; the other printers carry all digits
-
-    head : lines for the top of the file, such as where it came from; they become comments
+    digits : of the constants; the other printers write all
+    head : lines for the top of the file, such as its provenance, written as comments
     """
     lines = [*program.setup, *program.assignments]
     rows = [f"{_name(line.name)} &= {_sum(line, digits)}" for line in lines]

@@ -1,4 +1,4 @@
-"""A program as Python source that needs NumPy and nothing else."""
+"""A program as Python source, which needs only NumPy."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ def to_python(program: Program, *, head: Sequence[str] = ()) -> str:
     Joint arrays are (..., n); leading axes broadcast.  Parameters left as symbols become keyword
     arguments whose defaults are the arm's own numbers.
 
-    head : lines for the top of the file, such as where it came from; they become comments
+    head : lines for the top of the file, such as its provenance, written as comments
     """
-    said = description(program)
+    first, *others = description(program)
     signature = ", ".join(program.arguments)
     if program.parameters:
         values = "".join(f"{_INDENT}{k}={v!r},\n" for k, v in program.parameters.items())
         signature = f"\n{_INDENT}{signature},\n{_INDENT}*,\n{values}"
     leads = ", ".join(f"{name}.shape[:-1]" for name in program.arguments)
     body = [
-        f'"""{said[0]}',
+        f'"""{first}',
         "",
-        *said[1:],
+        *others,
         "",
         f"{', '.join(program.arguments)} : array-like, shape (..., {program.n}); "
         "[rad], [rad/s], [rad/s²], or [m] … where a joint slides.",

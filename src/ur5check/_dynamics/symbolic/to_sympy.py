@@ -1,4 +1,4 @@
-"""A program as SymPy sees it, as source text and as expressions."""
+"""A program for SymPy, as source text and as expressions."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ __all__ = ["expressions", "to_sympy"]
 def to_sympy(program: Program, *, head: Sequence[str] = ()) -> str:
     """A module that builds the closed form: `replacements` and a Matrix named after the quantity.
 
-    They go together as SymPy's own `cse` returns them: each replacement is (symbol, expression),
-    written in joint symbols q1, qd1, qdd1 and in symbols that stand above it.
+    They have the form of the result of SymPy's `cse`: each replacement is (symbol, expression),
+    written in joint symbols q1, qd1, qdd1 and in symbols defined before it.
 
-    head : lines for the top of the file, such as where it came from; they become comments
+    head : lines for the top of the file, such as its provenance, written as comments
     """
     lines = [line.name for line in (*program.setup, *program.assignments)]
     rows, columns = (*program.shape, 1)[:2]
@@ -43,12 +43,12 @@ def to_sympy(program: Program, *, head: Sequence[str] = ()) -> str:
 
 
 def expressions(program: Program) -> Any:
-    """The closed form written out: a SymPy Matrix in q1, qd1, qdd1 and parameters alone.
+    """The expanded closed form: a SymPy Matrix in q1, qd1, qdd1 and parameters alone.
 
-    Right for M and g.  A UR5's torques written out fill books: use `to_sympy`'s replacements.
+    For M and g.  The expanded torques of a UR5 are too long: use the replacements of `to_sympy`.
     """
     module: dict[str, Any] = {}
-    exec(to_sympy(program), module)  # noqa: S102 - what we wrote a line above
+    exec(to_sympy(program), module)  # noqa: S102 - the text of `to_sympy`
     known: dict[Any, Any] = {}
     for symbol, value in module["replacements"]:
         known[symbol] = value.xreplace(known)

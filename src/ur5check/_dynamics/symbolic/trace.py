@@ -1,12 +1,13 @@
-"""A quantity of an arm as a program: the recursion of `dynamics`, run once on symbols.
+"""A quantity of an arm as a program: the recursion, run once on symbols.
 
     program = trace(load("paper"), "tau")
     program.operations          # 192 × and 135 +, 327 in all
     program.evaluate(q, qd, qdd)
 
-Three things keep the program short.  The scalars share and fold as the recursion goes (`graph`);
-numbers that no torque sees are chosen to vanish (`regroup`); and what is left is factored
-(`factoring`).  Gravity enters as an acceleration of the base, which spares a vector a link.
+Three steps keep the program short: the scalars share equal values and fold constants
+(`expression_graph`), unidentifiable parameters are set to zero (`parameter_regrouping`), and the
+rest is factored (`factoring`).  Gravity enters as an acceleration of the base, which saves a vector
+per link.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from .known_zeros import vanishing
 from .parameter_regrouping import regroupings
 from .program import Operations, Program
 from .program_assembly import assemble
-from .quantities import QUANTITIES, Asked, Quantity, Recipe, symbolic_state
+from .quantities import QUANTITIES, Quantity, Recipe, RecipeInput, symbolic_state
 from .sums_of_products import Line, cost, lines_of
 from .symbolic_arm import Symbols
 
@@ -36,7 +37,7 @@ __all__ = ["Parameters", "as_written", "trace", "trace_difference"]
 Parameters = Literal["numeric", "symbolic"]
 
 _TRIES, _SHORT = 100, 8  # so that a derivation takes a second
-_FINALISTS = 3  # last finds that are factored, with the first two, before the best is chosen
+_FINALISTS = 3  # last results that are factored, with the first two, to choose the best
 
 
 def trace(
@@ -49,13 +50,13 @@ def trace(
 ) -> Program:
     """The closed form of one quantity.
 
-    parameters : "numeric", the arm's numbers folded in, or "symbolic", left as inputs (`symbols`)
-    regroup : whether numbers that no torque sees may be chosen anew; the values stay the same to
-        rounding.  Symbols are left as they are, and a regressor has no inertias to regroup
-    tries : how many regroupings to look at beyond the first, 5 ms each for a UR5; None: 100 for
+    parameters : "numeric", the arm's numbers folded in, or "symbolic", as inputs (`symbolic_arm`)
+    regroup : whether unidentifiable parameters may be changed; the values stay the same to
+        rounding.  Not for symbols, nor for a regressor, which has no inertias
+    tries : number of regroupings to try beyond the first, 5 ms each for a UR5; None: 100 for
         arms of up to 8 joints, none for longer ones
 
-    Raises UsageError for a quantity that there is none of.
+    Raises UsageError for an unknown quantity.
     """
     recipe = _recipe(quantity)
     graph = Graph()
@@ -90,31 +91,31 @@ def trace(
 def as_written(
     arm: SerialArm, quantity: Quantity = "tau", *, parameters: Parameters = "numeric"
 ) -> Operations:
-    """What the recursion costs as it is written, gravity carried along, each equal value once."""
+    """Operations of the recursion as written, with gravity as a vector, equal values shared."""
     graph = Graph(simplify=False)
     symbols = Symbols(graph)
     numeric = parameters == "numeric"
     chain = chain_of(arm) if numeric else symbols.chain(arm)
     gravity = Vector.of(arm.gravity) if numeric else symbols.gravity(arm)
-    asked = Asked(
+    given = RecipeInput(
         chain, symbolic_state(graph, arm.n), gravity=chain.base.T @ gravity, base_acceleration=ZERO
     )
-    return graph.operations(_recipe(quantity).entries(asked))
+    return graph.operations(_recipe(quantity).entries(given))
 
 
 def trace_difference(a: SerialArm, b: SerialArm) -> Program:
     """τ_a − τ_b at the same q, q̇, q̈ as one program.
 
-    The arms must be held in the same joint coordinates, as `_comparison.arm_pair` makes them. What
-    both need is worked out once.  Arms that differ in nothing but their inertias need no two
-    torques at all: torque is linear in π, so that the difference is the torque of π_a − π_b.
+    The arms must have the same joint coordinates (`_comparison.arm_pair`).  Values that both need
+    are computed once.  For arms that differ in their inertias alone, the difference is the torque
+    of π_a − π_b, since torque is linear in π.
 
     Raises UsageError for arms of different length.
     """
     if a.n != b.n:
         raise UsageError(f"arm {a.name!r} has {a.n} joints and {b.name!r} has {b.n}")
     graph = Graph()
-    if _move_alike(a, b):
+    if _same_kinematics(a, b):
         gravity = Vector.of(a.gravity)
         entries = _entries(graph, _cheapest(a, gravity, "tau", less=b), gravity, "tau")
     else:
@@ -140,17 +141,17 @@ def _recipe(quantity: Quantity) -> Recipe:
 
 def _entries(graph: Graph, chain: Chain, gravity: Vector, quantity: Quantity) -> list[Scalar]:
     base_acceleration = (chain.base.T @ gravity) * -1.0
-    asked = Asked(
+    given = RecipeInput(
         chain,
         symbolic_state(graph, len(chain.links)),
         gravity=ZERO,
         base_acceleration=base_acceleration,
     )
-    return QUANTITIES[quantity].entries(asked)
+    return QUANTITIES[quantity].entries(given)
 
 
-def _move_alike(a: SerialArm, b: SerialArm) -> bool:
-    """Whether two arms have one geometry and one gravity, to the bit."""
+def _same_kinematics(a: SerialArm, b: SerialArm) -> bool:
+    """Whether two arms have the same geometry and gravity, to the bit."""
     return (
         np.array_equal(a.gravity, b.gravity)
         and np.array_equal(a.base.matrix(), b.base.matrix())
@@ -172,10 +173,10 @@ def _cheapest(
     tries: int | None = None,
     less: SerialArm | None = None,
 ) -> Chain:
-    """The chain that leaves fewest operations.
+    """The chain with the fewest operations.
 
-    Factoring takes thirty times as long as tracing, so the search goes by the operations before it,
-    and the last few finds are factored.  C's is guided by the velocity torque that it derives from.
+    Factoring takes thirty times as long as tracing, so the search counts operations before it, and
+    the last few results are factored.  For C it counts those of the velocity torques.
     """
     guide: Quantity = "bias" if quantity == "C" else quantity
 
