@@ -53,7 +53,7 @@ def test_the_text_says_where_it_comes_from(say, tmp_path, target, mark):
     ((name, digest),) = ur5check.load("paper").source.inputs
     assert f"from {name}, SHA-256 {digest}" in said
     assert f"ur5check {ur5check.__version__}, python" in said
-    assert "constants folded, gravity as lift of the base, factored" in said
+    assert "constants folded, gravity as base acceleration, factored" in said
 
 
 def test_json_is_a_program(say):
