@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from .._dynamics.batching import gravity_of
 from .._dynamics.recursion import rnea
 from .._io.loading import ArmSource, load
+from .._result import Result
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
 from .._robot.transforms import Array
@@ -25,8 +26,8 @@ __all__ = ["SAME_TORQUE", "Difference", "compare", "diff", "under_gravity"]
 SAME_TORQUE = 1e-6
 
 
-@dataclass(frozen=True, eq=False)
-class Difference:
+@dataclass(frozen=True, eq=False, repr=False)
+class Difference(Result):
     """Everything that `diff` found; `reports` shows it.
 
     pair : both arms, in a's joint coordinates

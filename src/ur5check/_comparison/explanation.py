@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from .._result import Result
 from .._robot.states import MAX_ACCELERATION, States
 from .attribution_detail import TermAttribution, by_term
 from .diagnosis.diagnosis import Diagnosis, diagnose
@@ -21,8 +22,8 @@ __all__ = ["Explanation", "explain"]
 _EVIDENCE = 1_000
 
 
-@dataclass(frozen=True, eq=False)
-class Explanation:
+@dataclass(frozen=True, eq=False, repr=False)
+class Explanation(Result):
     """A difference, explained.
 
     terms : the attribution, split into gravity, Coriolis and inertial torque

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._result import Result
 from .._robot.serial_arm import SerialArm
 from .case_runs import Run
 from .claim import Claim, ClaimOutcome, Verdict, overall
@@ -19,8 +20,8 @@ from .paper_models import PINOCCHIO, PRINTED
 __all__ = ["Reproduction", "judge", "reproduce"]
 
 
-@dataclass(frozen=True, eq=False)
-class Reproduction:
+@dataclass(frozen=True, eq=False, repr=False)
+class Reproduction(Result):
     """All results; `_reports` and `figures` show them.
 
     cases : each case for each model, case by case

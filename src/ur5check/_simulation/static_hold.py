@@ -17,6 +17,7 @@ from .._dynamics.equations import gravity_torque
 from .._dynamics.kinematics import forward_kinematics
 from .._engines.registry import REFERENCE, steppers
 from .._errors import UsageError
+from .._result import Result
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .._version import __version__
@@ -56,8 +57,8 @@ class Mover:
     repaired: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, eq=False)
-class StaticHold:
+@dataclass(frozen=True, eq=False, repr=False)
+class StaticHold(Result):
     """The result of test 9.
 
     pair : `a` the plant, `b` the model whose torques were applied, in the plant's coordinates

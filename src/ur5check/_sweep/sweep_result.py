@@ -8,6 +8,7 @@ import numpy as np
 
 from .._comparison.arm_pair import Pair
 from .._comparison.difference import SAME_TORQUE
+from .._result import Result
 from .._robot.transforms import Array
 from .exact_sum import mean
 from .magnitude_histogram import quantile
@@ -20,8 +21,8 @@ __all__ = ["QUANTILES", "Sweep"]
 QUANTILES = (0.5, 0.9, 0.99, 0.999)
 
 
-@dataclass(frozen=True, eq=False)
-class Sweep:
+@dataclass(frozen=True, eq=False, repr=False)
+class Sweep(Result):
     """Δτ = τ_a − τ_b over all states of a plan; arrays of shape (n,) unless said otherwise.
 
     pair : both arms, in a's joint coordinates

@@ -11,6 +11,7 @@ from .._comparison.difference import Difference, compare, under_gravity
 from .._engines.adapters.ur5check_recursion import RecursionEngine
 from .._engines.engine import ReferenceEngine
 from .._io.loading import ArmSource, load
+from .._result import Result
 from .._robot.labels import labelled
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
@@ -47,8 +48,8 @@ class PairValidation:
         return all(outcome.passed for outcome in self.outcomes if outcome.id == "account")
 
 
-@dataclass(frozen=True, eq=False)
-class Validation:
+@dataclass(frozen=True, eq=False, repr=False)
+class Validation(Result):
     """Everything that `validate` found; `reports` shows it."""
 
     models: tuple[ModelValidation, ...]

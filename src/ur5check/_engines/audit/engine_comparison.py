@@ -17,6 +17,7 @@ from ..._dynamics.batching import gravity_of
 from ..._dynamics.recursion import rnea
 from ..._finding import Finding
 from ..._io.loading import ArmSource, load
+from ..._result import Result
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States, random_states
 from ..._robot.transforms import Array
@@ -67,8 +68,8 @@ class Stage:
         return next(reading for reading in self.readings if reading.key == key)
 
 
-@dataclass(frozen=True, eq=False)
-class EngineReport:
+@dataclass(frozen=True, eq=False, repr=False)
+class EngineReport(Result):
     """The result of `compare_engines`.
 
     gravity : used by all engines, in the arm's base frame [m/s²]

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from ..._io.example_robots import FLEET, FleetArm
+from ..._result import Result
 from .engine_comparison import EngineReport, Stage, compare_engines
 
 __all__ = ["FLEET_SAMPLES", "FleetReport", "compare_fleet"]
@@ -14,8 +15,8 @@ __all__ = ["FLEET_SAMPLES", "FleetReport", "compare_fleet"]
 FLEET_SAMPLES = 20
 
 
-@dataclass(frozen=True, eq=False)
-class FleetReport:
+@dataclass(frozen=True, eq=False, repr=False)
+class FleetReport(Result):
     """One report per arm; samples, seed : of each of them.
 
     An arm that an engine refuses counts as refused, never as agreement.
