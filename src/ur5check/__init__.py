@@ -51,8 +51,9 @@ if TYPE_CHECKING:
     from ._dynamics.symbolic.trace import trace
     from ._engines.audit.engine_comparison import compare_engines
     from ._engines.audit.fleet_comparison import compare_fleet
+    from ._engines.known_issues import known_issues_of, repaired_text
     from ._engines.registry import installed as installed_engines
-    from ._engines.registry import make_engine
+    from ._engines.registry import make_engine, steppers
     from ._errors import EngineError, InputError, ModelError, StateError, Ur5checkError, UsageError
     from ._finding import Finding, Place
     from ._io.loading import load
@@ -121,6 +122,7 @@ _DEFINED_IN = {
     "installed_engines": "._engines.registry:installed",
     "jax_rnea": "._dynamics.compiled.jax_function",
     "kinetic_energy": "._dynamics.equations",
+    "known_issues_of": "._engines.known_issues",
     "link_frames": "._dynamics.kinematics",
     "load": "._io.loading",
     "make_engine": "._engines.registry",
@@ -131,9 +133,11 @@ _DEFINED_IN = {
     "poles": "._simulation.control.error_dynamics",
     "potential_energy": "._dynamics.equations",
     "random_states": "._robot.states",
+    "repaired_text": "._engines.known_issues",
     "reproduce": "._paper.reproduction",
     "rnea": "._dynamics.recursion",
     "static_hold": "._simulation.static_hold:stand",
+    "steppers": "._engines.registry",
     "sweep": "._sweep.sweep",
     "sympy_matrix": "._dynamics.symbolic.to_sympy:expressions",
     "to_python": "._dynamics.symbolic.to_python",
@@ -190,6 +194,7 @@ __all__ = [
     "installed_engines",
     "jax_rnea",
     "kinetic_energy",
+    "known_issues_of",
     "link_frames",
     "load",
     "make_engine",
@@ -200,9 +205,11 @@ __all__ = [
     "poles",
     "potential_energy",
     "random_states",
+    "repaired_text",
     "reproduce",
     "rnea",
     "static_hold",
+    "steppers",
     "sweep",
     "sympy_matrix",
     "to_python",

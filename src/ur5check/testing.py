@@ -1,0 +1,16 @@
+"""The conformance suite that every engine passes, for an engine of your own.
+
+    import pytest
+    from ur5check import testing
+
+    @pytest.mark.parametrize("law", testing.LAWS, ids=lambda law: law.id)
+    @pytest.mark.parametrize("case", testing.CASES, ids=lambda case: case.name)
+    def test_my_engine(case, law):
+        testing.check(MyEngine, case, law)
+
+`MyEngine(arm, gravity)` must follow the protocol `ur5check.results.Engine`.
+"""
+
+from ._engines.conformance import CASES, LAWS, Case, Law, check, violations
+
+__all__ = ["CASES", "LAWS", "Case", "Law", "check", "violations"]
