@@ -56,12 +56,19 @@ if TYPE_CHECKING:
     from ._engines.registry import make_engine, steppers
     from ._errors import EngineError, InputError, ModelError, StateError, Ur5checkError, UsageError
     from ._finding import Finding, Place
+    from ._io.example_robots import FLEET as EXAMPLE_ROBOTS
     from ._io.loading import load
     from ._paper.cases import case as paper_case
     from ._paper.figures.case_figure import draw_case
     from ._paper.figures.case_overview import draw_overview
     from ._paper.reproduction import reproduce
-    from ._robot.inertia import Inertia
+    from ._reports.difference_summary import contribution_in_words
+    from ._reports.explanation_summary import equivalence_in_words
+    from ._reports.mistake_sentences import advice as mistake_advice
+    from ._reports.mistake_sentences import details as mistake_details
+    from ._reports.mistake_sentences import remark as mismatch_sentence
+    from ._reports.mistake_sentences import sentence as mistake_sentence
+    from ._robot.inertia import PARAMETERS, Inertia
     from ._robot.serial_arm import Joint, Limits, Link, SerialArm
     from ._robot.states import States, random_states
     from ._robot.transforms import Transform
@@ -79,6 +86,7 @@ if TYPE_CHECKING:
 #: Where each public name is defined: the module, and the name there if it is another.
 _DEFINED_IN = {
     "ComputedTorque": "._simulation.control.computed_torque",
+    "EXAMPLE_ROBOTS": "._io.example_robots:FLEET",
     "EngineError": "._errors",
     "FeedbackLaw": "._simulation.control.feedback_law",
     "Finding": "._finding",
@@ -89,6 +97,7 @@ _DEFINED_IN = {
     "Limits": "._robot.serial_arm",
     "Link": "._robot.serial_arm",
     "ModelError": "._errors",
+    "PARAMETERS": "._robot.inertia",
     "Place": "._finding",
     "Quintic": "._simulation.control.trajectory",
     "SerialArm": "._robot.serial_arm",
@@ -104,6 +113,7 @@ _DEFINED_IN = {
     "compare_fleet": "._engines.audit.fleet_comparison",
     "compile": "._dynamics.compiled.kernel",
     "compile_difference": "._dynamics.compiled.kernel",
+    "contribution_in_words": "._reports.difference_summary",
     "convergence": "._simulation.convergence",
     "coriolis_matrix": "._dynamics.equations",
     "derive": "._dynamics.symbolic.derivation",
@@ -113,6 +123,7 @@ _DEFINED_IN = {
     "draw_overview": "._paper.figures.case_overview",
     "effort_limits": "._simulation.control.computed_torque",
     "equivalence": "._comparison.identifiability.equivalence",
+    "equivalence_in_words": "._reports.explanation_summary",
     "error_budget": "._comparison.rounding.error_budget:budget",
     "explain": "._comparison.explanation",
     "forward_dynamics": "._dynamics.equations",
@@ -127,6 +138,10 @@ _DEFINED_IN = {
     "load": "._io.loading",
     "make_engine": "._engines.registry",
     "mass_matrix": "._dynamics.equations",
+    "mismatch_sentence": "._reports.mistake_sentences:remark",
+    "mistake_advice": "._reports.mistake_sentences:advice",
+    "mistake_details": "._reports.mistake_sentences:details",
+    "mistake_sentence": "._reports.mistake_sentences:sentence",
     "pair_up": "._comparison.arm_pair",
     "paper_case": "._paper.cases:case",
     "plausibility": "._comparison.plausibility.plausibility",
@@ -149,6 +164,8 @@ _DEFINED_IN = {
 }
 
 __all__ = [
+    "EXAMPLE_ROBOTS",
+    "PARAMETERS",
     "ComputedTorque",
     "EngineError",
     "FeedbackLaw",
@@ -176,6 +193,7 @@ __all__ = [
     "compare_fleet",
     "compile",
     "compile_difference",
+    "contribution_in_words",
     "convergence",
     "coriolis_matrix",
     "derive",
@@ -185,6 +203,7 @@ __all__ = [
     "draw_overview",
     "effort_limits",
     "equivalence",
+    "equivalence_in_words",
     "error_budget",
     "explain",
     "forward_dynamics",
@@ -199,6 +218,10 @@ __all__ = [
     "load",
     "make_engine",
     "mass_matrix",
+    "mismatch_sentence",
+    "mistake_advice",
+    "mistake_details",
+    "mistake_sentence",
     "pair_up",
     "paper_case",
     "plausibility",

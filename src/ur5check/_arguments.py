@@ -7,7 +7,7 @@ names the argument, what was given and what to give instead.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any, TypeVar
 
 import numpy as np
@@ -15,7 +15,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._errors import InputError, StateError, UsageError
 
-__all__ = ["choice", "instance", "integer", "number", "number_array"]
+__all__ = [
+    "callback",
+    "choice",
+    "instance",
+    "integer",
+    "names",
+    "number",
+    "number_array",
+    "text_map",
+]
 
 _T = TypeVar("_T")
 
@@ -83,3 +92,29 @@ def number_array(
         numbers = "numbers" if complex_too else "real numbers"
         raise error(f"{name} must hold {numbers}, not {array.dtype.name}: {values!r:.60}")
     return array
+
+
+def callback(name: str, value: Callable[[str], None] | None) -> Callable[[str], None]:
+    """`value`, or a function that does nothing for None.  Raises UsageError."""
+    if value is None:
+        return lambda line: None
+    if not callable(value):
+        raise UsageError(f"{name} must be a function of one string, not {value!r:.80}")
+    return value
+
+
+def names(name: str, values: object) -> tuple[str, ...]:
+    """`values` as a tuple of strings; one string alone is none.  Raises UsageError."""
+    if isinstance(values, Iterable) and not isinstance(values, str | bytes):
+        given = tuple(values)
+        if all(isinstance(value, str) for value in given):
+            return given
+    raise UsageError(f"{name} must be a sequence of names, not {values!r:.80}")
+
+
+def text_map(name: str, values: object) -> None:
+    """Raise UsageError unless `values` is None or a mapping whose keys are strings."""
+    if values is None:
+        return
+    if not isinstance(values, Mapping) or not all(isinstance(key, str) for key in values):
+        raise UsageError(f"{name} must be a mapping from names to values, not {values!r:.80}")

@@ -7,10 +7,14 @@ from typing import Literal
 
 import numpy as np
 
+from .._arguments import instance
 from .._dynamics.kinematics import link_frames
+from .._errors import StateError
+from .._robot.as_arm import ArmSource, as_arm
 from .._robot.inertia import Inertia
 from .._robot.labels import labelled
 from .._robot.serial_arm import SerialArm
+from .._robot.states import States
 from .._robot.transforms import Array, Transform
 from .alignment import (
     SAME_ANGLE,
@@ -85,16 +89,27 @@ class Pair:
         return arm.with_gravity((self.a if gravity == "a" else self.b).gravity)
 
 
-def pair_up(a: SerialArm, b: SerialArm) -> Pair:
+def pair_up(a: ArmSource, b: ArmSource) -> Pair:
     """Align b with a and find the frames in which their links correspond.
 
     Arms with the same label are given labels that tell them apart (`labelled`).
 
     Raises UsageError if the arms have different numbers or kinds of joints.
     """
-    a, b = labelled((a, b))
-    alignment = align(a, b)
-    return _paired(a, b, alignment, not alignment.exact)
+    arm_a, arm_b = labelled((as_arm(a), as_arm(b)))
+    alignment = align(arm_a, arm_b)
+    return _paired(arm_a, arm_b, alignment, not alignment.exact)
+
+
+def check_pair(pair: Pair, states: States) -> None:
+    """Raise an InputError unless these are a Pair and States of its number of joints."""
+    instance("pair", pair, Pair, "see ur5check.pair_up")
+    instance("states", states, States, "see ur5check.random_states")
+    if states.q.shape[1] != pair.a.n or not len(states):
+        raise StateError(
+            f"states have shape {states.q.shape}, but the arms have {pair.a.n} joints; give states "
+            f"of shape (N, {pair.a.n}), at least one"
+        )
 
 
 def pair_as_written(a: SerialArm, b: SerialArm) -> Pair:

@@ -26,7 +26,7 @@ from .._dynamics.regressor import torque_regressor
 from .._robot.inertia import Inertia, parameter_map
 from .._robot.states import States
 from .._robot.transforms import Array
-from .arm_pair import Pair, Side
+from .arm_pair import Pair, Side, check_pair
 from .shapley import shares, weight
 
 __all__ = ["PARAMETER_CONTRIBUTIONS", "Attribution", "Contribution", "attribute"]
@@ -114,6 +114,7 @@ class Attribution:
 
 def attribute(pair: Pair, states: States) -> Attribution:
     """Split the torque difference of a pair of arms, at every state, into contributions."""
+    check_pair(pair, states)
     q, qd, qdd = states.q, states.qd, states.qdd
     # Two arms mostly stand under one gravity, and then half of the choices are the other half.
     one_gravity = np.array_equal(pair.a.gravity, pair.b.gravity)

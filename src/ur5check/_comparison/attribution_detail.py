@@ -11,7 +11,7 @@ from .._dynamics.regressor import torque_regressor
 from .._robot.inertia import parameter_map
 from .._robot.states import States
 from .._robot.transforms import Array
-from .arm_pair import Pair, Side
+from .arm_pair import Pair, Side, check_pair
 from .attribution import PARAMETER_CONTRIBUTIONS, Attribution, Contribution, attribute
 from .shapley import weight
 
@@ -35,6 +35,7 @@ def by_parameter(pair: Pair, states: States) -> Attribution:
     their parts depend on them: a centre of mass that is off shows in mx and in the tensor about the
     origin.
     """
+    check_pair(pair, states)
     q, qd, qdd = states.q, states.qd, states.qdd
     Y = np.zeros((*q.shape, 10 * pair.a.n))
     sides: tuple[Side, Side] = ("a", "b")
@@ -64,6 +65,7 @@ def by_term(pair: Pair, states: States) -> TermAttribution:
     τ(q, 0, q̈) without gravity the inertial term's; torque is the sum of the three, and so is every
     contribution.
     """
+    check_pair(pair, states)
     rest = np.zeros_like(states.q)
     weightless = replace(
         pair, a=pair.a.with_gravity(np.zeros(3)), b=pair.b.with_gravity(np.zeros(3))

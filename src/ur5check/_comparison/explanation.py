@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from .._arguments import callback, instance, number
 from .._result import Result
 from .._robot.states import MAX_ACCELERATION, States
 from .attribution_detail import TermAttribution, by_term
@@ -61,7 +62,9 @@ def explain(
 
     Raises UsageError for an acceleration that is no positive number.
     """
-    say = progress or (lambda line: None)
+    instance("difference", difference, Difference, "see ur5check.diff")
+    acceleration = number("acceleration", acceleration, positive=True)
+    say = callback("progress", progress)
     pair, seed = difference.pair, difference.seed
     few = _first(difference.states, _EVIDENCE)
     say("looking for known mistakes")

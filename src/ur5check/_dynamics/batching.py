@@ -26,6 +26,9 @@ __all__ = ["JointState", "evaluate", "gravity_of", "joint_array"]
 
 BLOCK = 4096
 
+#: Stands for zeros; None is a caller's mistake.
+AT_REST: Any = object()
+
 
 @dataclass(frozen=True, slots=True)
 class JointState:
@@ -87,18 +90,20 @@ def evaluate(
     compute: Callable[[JointState], Sequence[Scalar]],
     shape: tuple[int, ...],
     q: ArrayLike,
-    qd: ArrayLike | None = None,
-    qdd: ArrayLike | None = None,
+    qd: ArrayLike = AT_REST,
+    qdd: ArrayLike = AT_REST,
 ) -> NDArray[Any]:
     """`compute` on every state; its flat list of results, in an array of shape (..., *shape).
 
-    `qd` or `qdd` of None means at rest: constant zeros, which cost nothing.
+    Without `qd` or `qdd` the arm is at rest: constant zeros, which cost nothing.
 
     Raises StateError for arrays that are not of shape (..., n) or do not broadcast.
     """
     given = {"q": q, "qd": qd, "qdd": qdd}
     arrays = {
-        name: joint_array(arm, name, values) for name, values in given.items() if values is not None
+        name: joint_array(arm, name, values)
+        for name, values in given.items()
+        if values is not AT_REST
     }
     try:
         lead = np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))

@@ -10,7 +10,7 @@ is in that arm's base frame and is fixed when the engine is made.
 
 from __future__ import annotations
 
-from typing import ClassVar, Protocol
+from typing import ClassVar, Protocol, runtime_checkable
 
 from numpy.typing import ArrayLike
 
@@ -21,6 +21,7 @@ from .imported_model import ImportedModel
 __all__ = ["Engine", "MakeEngine", "ReferenceEngine", "Stepper"]
 
 
+@runtime_checkable
 class Engine(Protocol):
     """An implementation of rigid-body dynamics with one arm loaded."""
 

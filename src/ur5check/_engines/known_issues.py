@@ -11,8 +11,9 @@ from dataclasses import replace
 
 from lxml import etree
 
+from .._arguments import instance
 from .._errors import UsageError
-from .._io.xml.safe_xml import parsed_xml
+from .._io.xml.safe_xml import checked_root
 from .._robot.serial_arm import SerialArm
 from .engine_urdf import written
 from .known_issue import KnownIssue
@@ -23,7 +24,8 @@ __all__ = ["known_issue_for", "known_issues_of", "repairable", "repaired", "repa
 
 def known_issues_of(key: str) -> tuple[KnownIssue, ...]:
     """The known issues of one reader; none for a key that is not in the registry."""
-    return READERS[key].known_issues if key in READERS else ()
+    entry = READERS.get(key) if isinstance(key, str) else None
+    return entry.known_issues if entry else ()
 
 
 def known_issue_for(key: str, kind: str) -> KnownIssue | None:
@@ -47,11 +49,12 @@ def repaired_text(urdf: str, key: str) -> tuple[str, tuple[KnownIssue, ...]]:
     Raises UsageError for a key for which nothing is rewritten, ModelError if a name is taken that
     a repair needs.
     """
+    instance("urdf", urdf, str, "give the text, `arm.source.urdf`")
     if key not in repairable():
         raise UsageError(
             f"nothing needs to be rewritten for {key!r}; choose {', '.join(repairable())}"
         )
-    root = parsed_xml(urdf)
+    root = checked_root(urdf.encode(), "URDF text")
     avoided = tuple(issue for issue in known_issues_of(key) if issue.applied(root))
     etree.indent(root)
     return written(root), avoided

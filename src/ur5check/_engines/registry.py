@@ -10,8 +10,9 @@ from pkgutil import iter_modules
 
 from numpy.typing import ArrayLike
 
+from .._dynamics.batching import gravity_of
 from .._errors import EngineError, UsageError
-from .._robot.serial_arm import SerialArm
+from .._robot.as_arm import ArmSource, as_arm
 from . import adapters
 from .engine import Engine, MakeEngine
 from .engine_entry import EngineEntry
@@ -60,7 +61,7 @@ def engine_class(key: str) -> MakeEngine:
 
     Raises UsageError for an unknown key, EngineError (with what to install) for an absent engine.
     """
-    entry = REGISTRY.get(key)
+    entry = REGISTRY.get(key) if isinstance(key, str) else None
     if entry is None or entry.make is None:
         raise UsageError(f"no engine is called {key!r}; choose from {', '.join(REGISTRY)}")
     try:
@@ -74,9 +75,11 @@ def engine_class(key: str) -> MakeEngine:
     return entry.make
 
 
-def make_engine(key: str, arm: SerialArm, gravity: ArrayLike | None = None) -> Engine:
+def make_engine(key: str, arm: ArmSource, gravity: ArrayLike | None = None) -> Engine:
     """The engine of that key with an arm loaded; gravity in the arm's base frame [m/s²].
 
     Raises EngineError, or UsageError for an unknown key.
     """
-    return engine_class(key)(arm, gravity)
+    make = engine_class(key)
+    arm = as_arm(arm)
+    return make(arm, gravity_of(arm, gravity))

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from .._arguments import instance, text_map
 from .._errors import ModelError, UsageError
 from .._robot import SerialArm
 from .._robot.as_arm import ArmSource
@@ -37,6 +38,11 @@ def load(
     Raises ModelError for what is wrong in a file, UsageError for a name that means nothing and for
     an option that means nothing for this kind of `x`.
     """
+    for name, value in (("base", base), ("tip", tip)):
+        if value is not None:
+            instance(name, value, str, "give the name of a link")
+    text_map("packages", packages)
+    text_map("arguments", arguments)
     if isinstance(x, SerialArm):
         _refuse("an arm that is made already", base=base, tip=tip, arguments=arguments)
         return x

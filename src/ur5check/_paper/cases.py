@@ -11,6 +11,8 @@ from math import radians
 
 import numpy as np
 
+from .._arguments import integer
+from .._errors import UsageError
 from .._robot.transforms import Array
 
 __all__ = ["CASES", "SWEEP", "Case", "case"]
@@ -74,5 +76,7 @@ CASES = (
 
 
 def case(number: int) -> Case:
-    """The case of that number, 1 … 9."""
+    """The case of that number, 1 … 9.  Raises UsageError for another."""
+    if integer("number", number, least=1) > len(CASES):
+        raise UsageError(f"the paper has cases 1 to {len(CASES)}, not {number}")
     return CASES[number - 1]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._arguments import callback
 from .._result import Result
 from .._robot.serial_arm import SerialArm
 from .case_runs import Run
@@ -76,7 +77,7 @@ def reproduce(progress: Progress | None = None) -> Reproduction:
 
     Raises ModelError if a shipped model cannot be read, EngineError if Pinocchio cannot take it.
     """
-    return judge(gather(progress or (lambda line: None)))
+    return judge(gather(callback("progress", progress)))
 
 
 def judge(evidence: Evidence, claims: Iterable[ClaimFunction] = CLAIMS) -> Reproduction:

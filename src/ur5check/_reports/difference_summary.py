@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._arguments import instance
 from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from .._comparison.attribution import Contribution
 from .._robot.transforms import Transform
@@ -50,6 +51,7 @@ def base_in_words(T: Transform) -> str:
 
 def contribution_in_words(contribution: Contribution) -> str:
     """A contribution as "link 2, centre of mass"."""
+    instance("contribution", contribution, Contribution, "see Attribution.contributions")
     return (
         contribution.kind
         if contribution.link is None

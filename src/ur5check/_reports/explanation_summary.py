@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._arguments import instance
 from .._comparison.diagnosis.diagnosis import Diagnosis, RecognizedMistake
 from .._comparison.explanation import Explanation
 from .._comparison.identifiability.equivalence import TOLERANCE, Equivalence
@@ -38,6 +39,7 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
 
 def equivalence_in_words(equivalence: Equivalence) -> str:
     """Whether two arms differ only in what torques do not show."""
+    instance("equivalence", equivalence, Equivalence, "see ur5check.equivalence")
     if not equivalence.dynamically_equivalent:
         if float(equivalence.visible.max()) <= TOLERANCE * equivalence.largest:
             return "The inertias are dynamically equivalent; geometry or gravity is not."

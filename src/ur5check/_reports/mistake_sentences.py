@@ -57,7 +57,7 @@ def sentence(found: RecognizedMistake, pair: Pair) -> str:
 
 
 def advice(found: RecognizedMistake) -> str:
-    """What to do about it."""
+    """The repairs of a recognized mistake, as imperatives."""
     return "; ".join(dict.fromkeys(mistake.repair for mistake in _in_order_of_repairing(found)))
 
 

@@ -18,8 +18,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._arguments import callback, names, number, number_array
+from .._dynamics.batching import joint_array
+from .._robot.as_arm import ArmSource, as_arm
 from .._robot.serial_arm import SerialArm
-from .._robot.transforms import Array
+from .._robot.transforms import Array, frozen
 from .free_motion import Progress, integrated, no_progress, stepped
 from .integration import REFERENCE
 from .require_same_model import checked_stepper
@@ -88,7 +91,7 @@ class Convergence:
 
 
 def convergence(
-    arm: SerialArm,
+    arm: ArmSource,
     q: ArrayLike,
     tau: ArrayLike,
     *,
@@ -107,9 +110,12 @@ def convergence(
     Constant torques keep the equations smooth: a torque that is recomputed once per step would add
     an error of first order.  Raises as `checked_stepper` does.
     """
-    start, torque = (
-        np.asarray(q, dtype=np.float64),
-        ConstantTorque(np.asarray(tau, dtype=np.float64)),
+    arm, progress = as_arm(arm), callback("progress", progress)
+    seconds = number("seconds", seconds, positive=True)
+    engines = names("engines", engines)
+    start = frozen(joint_array(arm, "q", number_array("q", q)), (arm.n,), "q")
+    torque = ConstantTorque(
+        frozen(joint_array(arm, "tau", number_array("tau", tau)), (arm.n,), "tau")
     )
     rest, ends = np.zeros(arm.n), np.array([0.0, seconds])
     progress("the reference: DOP853 at its tightest tolerance")

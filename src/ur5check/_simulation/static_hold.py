@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._arguments import callback, number, number_array
 from .._comparison.arm_pair import Pair, pair_up
 from .._dynamics.batching import joint_array
 from .._dynamics.equations import gravity_torque
@@ -18,6 +19,7 @@ from .._dynamics.kinematics import forward_kinematics
 from .._engines.registry import REFERENCE, steppers
 from .._errors import UsageError
 from .._result import Result
+from .._robot.as_arm import ArmSource, as_arm
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .._version import __version__
@@ -125,8 +127,8 @@ class StaticHold(Result):
 
 
 def stand(
-    plant: SerialArm,
-    model: SerialArm,
+    plant: ArmSource,
+    model: ArmSource,
     q: ArrayLike,
     *,
     engine: str = REFERENCE,
@@ -156,13 +158,15 @@ def stand(
     StateError : a q of the wrong length
     EngineError : an engine that is not installed, or that would simulate another arm
     """
+    plant, model, progress = as_arm(plant), as_arm(model), callback("progress", progress)
+    seconds, dt = number("seconds", seconds), number("dt", dt)
     pair = pair_up(plant, model)
     if _is_same_model(plant, model):  # under its own torques: nothing to tell apart
         a, b, given_b = (
             replace(arm, given_label=plant.label) for arm in (pair.a, pair.b, pair.given_b)
         )
         pair = replace(pair, a=a, b=b, given_b=given_b)
-    q_0 = joint_array(plant, "q", q).astype(np.float64)
+    q_0 = joint_array(plant, "q", number_array("q", q)).astype(np.float64)
     if q_0.ndim != 1:
         raise UsageError(f"one posture is simulated at a time, not an array of shape {q_0.shape}")
     _refuse_times(seconds, dt)

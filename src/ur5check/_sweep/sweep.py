@@ -17,6 +17,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._arguments import callback, instance, integer, number
 from .._comparison.arm_pair import Pair, pair_up
 from .._comparison.difference import under_gravity
 from .._comparison.worst_case.state_box import StateBox, state_box
@@ -87,8 +88,14 @@ def sweep(
     InputError : a model or log that cannot be read, arms that cannot be compared, an invalid
         argument, a checkpoint of another sweep.
     """
-    if threads < 1 or (batch is not None and batch < 1):
-        raise UsageError(f"threads and batch must be at least 1, not {threads} and {batch}")
+    threads = integer("threads", threads, least=1)
+    batch = None if batch is None else integer("batch", batch, least=1)
+    checkpoint_every = number("checkpoint_every", checkpoint_every)
+    for name, path in (("sample", sample), ("checkpoint", checkpoint)):
+        if path is not None and not isinstance(path, str | PathLike):
+            raise UsageError(f"{name} must be a name or a path, not {path!r:.80}")
+    if scheduler is not None:
+        instance("scheduler", scheduler, str, "give its address, tcp://…:8786")
     pair = pair_up(*(under_gravity(load(source), gravity) for source in (a, b)))
     plan = plan_of(pair, _sample(pair, states, sample, seed, within_limits), tolerance)
     return Sweep(
@@ -99,7 +106,7 @@ def sweep(
             _executor(threads, scheduler, batch),
             None if checkpoint is None else Path(checkpoint),
             checkpoint_every,
-            progress or (lambda line: None),
+            callback("progress", progress),
         ),
         *_scale(plan),
     )
@@ -140,9 +147,8 @@ def _sample(
         return log_sample(Path(kind), pair.a)
     if states is None:
         states = _STATES
-    if states < 1:
-        raise UsageError(f"states must be at least 1, not {states}")
-    if not 0 <= seed < 2**64:
+    states, seed = integer("states", states, least=1), integer("seed", seed, least=0)
+    if seed >= 2**64:
         raise UsageError(f"the seed must be from 0 to 2⁶⁴ − 1, not {seed}")
     box = state_box(pair, MAX_ACCELERATION) if within_limits else _free_box(pair.a.n)
     match kind:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .._arguments import number_array
 from .._comparison.arm_pair import Pair
 from .._comparison.worst_case.state_box import state_box
 from .._errors import UsageError
@@ -104,7 +105,7 @@ def plan_of(pair: Pair, sample: Sample, tolerance: ArrayLike | None) -> Plan:
 
 def _tolerances(tolerance: ArrayLike, n: int) -> Array:
     """Tolerances of n joints, shape (n,), from one or n of them."""
-    tolerances = np.asarray(tolerance, dtype=np.float64)
+    tolerances = number_array("tolerance", tolerance, error=UsageError).astype(np.float64)
     if tolerances.shape not in ((), (1,), (n,)):
         raise UsageError(
             f"tolerance has {tolerances.size} entries; give one, or one for each of {n} joints"

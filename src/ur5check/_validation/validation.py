@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
+from .._arguments import callback, integer
 from .._comparison.difference import Difference, compare, under_gravity
 from .._engines.adapters.ur5check_recursion import RecursionEngine
 from .._engines.engine import ReferenceEngine
@@ -109,7 +110,7 @@ def validate(
     """
     from .._engines.adapters.pinocchio import PinocchioEngine
 
-    say = progress or (lambda line: None)
+    say, samples = callback("progress", progress), integer("samples", samples, least=1)
     arms = []
     for model in models or ("paper", "appendix"):
         if not isinstance(model, SerialArm):

@@ -38,7 +38,7 @@ def test_a_quintic_rests_before_and_after():
     [
         ((np.zeros(2), np.zeros(3), 1.0), r"shape \(2,\) and goal \(3,\)"),
         ((np.zeros(2), np.array([0.0, np.inf]), 1.0), "finite"),
-        ((np.zeros(2), np.zeros(2), 0.0), "positive time, not 0 s"),
+        ((np.zeros(2), np.zeros(2), 0.0), "duration must be a positive"),
     ],
 )
 def test_bad_arguments_of_a_quintic_are_refused(ends, message):

@@ -10,7 +10,7 @@ import numpy as np
 from ..._dynamics.recursion import rnea
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
-from ..arm_pair import Pair, Side
+from ..arm_pair import Pair, Side, check_pair
 from .arm_mistakes import ARM_MISTAKES
 from .link_numbers import body_of, with_body
 from .mistake import ArmDifference, ArmMistake, Mistake, changed
@@ -86,6 +86,7 @@ def diagnose(pair: Pair, states: States) -> Diagnosis:
     """Look for known mistakes between two arms, and measure what repairing them does to the
     torques.
     """
+    check_pair(pair, states)
     reading, rivals = best_reading(pair)
     before = _rms(pair.a, pair.b, states)
     sequence = _RepairSequence(reading, states, before)

@@ -13,11 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..._arguments import instance
 from ..._dynamics.recursion import rnea
 from ..._dynamics.regressor import torque_regressor
 from ..._robot.states import States
 from ..._robot.transforms import Array
-from ..arm_pair import Pair
+from ..arm_pair import Pair, check_pair
 from .identifiability import Identifiability, identify
 
 __all__ = ["TOLERANCE", "Equivalence", "VisibleSplit", "equivalence", "split"]
@@ -84,6 +85,9 @@ def equivalence(
 
     identifiability : `identify(pair.a)`, where it is known already
     """
+    check_pair(pair, states)
+    if identifiability is not None:
+        instance("identifiability", identifiability, Identifiability, "see ur5check.identify")
     dpi = pair.parameter_difference()
     parts = split(identifiability or identify(pair.a), dpi)
     q, qd, qdd = states.q, states.qd, states.qdd

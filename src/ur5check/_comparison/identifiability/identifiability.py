@@ -24,10 +24,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..._arguments import choice
 from ..._dynamics.base_parameters import SAME_DIRECTION, decompose
 from ..._dynamics.regressor import torque_regressor
+from ..._robot.as_arm import ArmSource, as_arm
 from ..._robot.inertia import PARAMETERS, parameter_map
-from ..._robot.serial_arm import SerialArm
 from ..._robot.states import random_states
 from ..._robot.transforms import Array, frozen
 
@@ -133,7 +134,7 @@ class Identifiability:
 
 
 def identify(
-    arm: SerialArm,
+    arm: ArmSource,
     *,
     seed: int = 0,
     gravity: ArrayLike | None = None,
@@ -146,6 +147,8 @@ def identify(
     frame : "link", parameters in the frames i, as `SerialArm.parameters` has them; "source", in
         the frames in which the arm's own file writes them (for a URDF those at the joints)
     """
+    arm = as_arm(arm)
+    choice("frame", frame, ("link", "source"))
     states = random_states(arm.n, 40 + 40 * arm.n, seed)
     Y = torque_regressor(arm, states.q, states.qd, states.qdd, gravity).reshape(-1, 10 * arm.n)
     if frame == "source":

@@ -18,8 +18,9 @@ weaker.
 
 from __future__ import annotations
 
+from ..._arguments import instance
 from ..._io.meshes.mesh_shapes import Meshes, link_meshes
-from ..._robot.serial_arm import SerialArm
+from ..._robot.as_arm import ArmSource, as_arm
 from .plausible_body import Plausibility, body_findings
 from .plausible_extent import extent_findings
 from .plausible_reach import reach_findings, whole_findings
@@ -27,13 +28,16 @@ from .plausible_reach import reach_findings, whole_findings
 __all__ = ["Plausibility", "plausibility"]
 
 
-def plausibility(arm: SerialArm, meshes: Meshes | None = None) -> tuple[Plausibility, ...]:
+def plausibility(arm: ArmSource, meshes: Meshes | None = None) -> tuple[Plausibility, ...]:
     """What is odd about an arm's numbers, link by link, then about the whole arm.
 
     meshes : the links' shapes (default: those that the arm's URDF names, see `link_meshes`)
 
     Nothing found is an empty tuple.  Findings are no failures: a vendor may have reasons.
     """
+    arm = as_arm(arm)
+    if meshes is not None:
+        instance("meshes", meshes, Meshes, "leave it out to use those that the URDF names")
     shown = link_meshes(arm) if meshes is None else meshes
     findings = [
         Plausibility("note", None, arm.name, "mesh", None, None, "", f"Not held against: {note}.")

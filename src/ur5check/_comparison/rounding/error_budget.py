@@ -24,7 +24,7 @@ from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
-from ..arm_pair import Pair, Side
+from ..arm_pair import Pair, Side, check_pair
 from .exact_constants import STEPS, Arms
 from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
 
@@ -83,6 +83,7 @@ def budget(pair: Pair, states: States) -> ErrorBudget:
     Joint signs and offsets stay those of the pair; its base transform turns gravity and arm
     together and plays no part in torque.
     """
+    check_pair(pair, states)
     arms: Arms = {"a": pair.a, "b": pair.given_b}
     torque = {side: _torque(pair, side, arm, states) for side, arm in arms.items()}
     largest = max(float(np.abs(tau).max()) for tau in torque.values())

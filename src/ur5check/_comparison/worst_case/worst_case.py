@@ -12,9 +12,9 @@ from typing import Literal
 
 import numpy as np
 
+from ..._arguments import instance, integer, number
 from ..._dynamics.equations import gravity_torque
 from ..._dynamics.recursion import rnea
-from ..._errors import UsageError
 from ..._robot.states import MAX_ACCELERATION, States
 from ..._robot.transforms import Array
 from ..arm_pair import Pair
@@ -97,12 +97,11 @@ def worst_cases(
 
     Raises UsageError for a count below one, a negative seed, or a bound that is no positive number.
     """
-    if starts < 1 or random_states < 1:
-        raise UsageError(f"starts={starts} and random_states={random_states}: give at least 1")
-    if seed < 0:
-        raise UsageError(f"the seed must not be negative, not {seed}")
-    if not (np.isfinite(acceleration) and acceleration > 0.0):
-        raise UsageError(f"acceleration must be a positive number [rad/s²], not {acceleration}")
+    instance("pair", pair, Pair, "see ur5check.pair_up")
+    starts = integer("starts", starts, least=1)
+    random_states = integer("random_states", random_states, least=1)
+    seed = integer("seed", seed, least=0)
+    acceleration = number("acceleration", acceleration, positive=True)
     box, gap = state_box(pair, acceleration), Gap(pair)
     moving = box.draw(random_states, seed)
     rest = np.zeros_like(moving.q)

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ..._errors import UsageError
+from ..._robot.as_arm import ArmSource
 from ..._robot.serial_arm import SerialArm
 from ..symbolic.program import Program, read_input, value_of
 from ..symbolic.trace import trace, trace_difference
@@ -21,7 +22,7 @@ __all__ = ["jax_rnea", "jax_torque_difference"]
 JaxFunction = Callable[[Any, Any, Any], Any]
 
 
-def jax_rnea(arm: SerialArm) -> JaxFunction:
+def jax_rnea(arm: ArmSource) -> JaxFunction:
     """τ(q, q̇, q̈) of one state, arrays of shape (n,) [rad], [rad/s], [rad/s²] to (n,) [N m].
 
     Under the arm's own gravity.  Raises UsageError if JAX is not installed, or computes with 32

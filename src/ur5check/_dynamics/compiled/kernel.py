@@ -18,7 +18,9 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..._errors import UsageError
+from ..._arguments import integer
+from ..._errors import StateError, UsageError
+from ..._robot.as_arm import ArmSource, as_arm
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array
 from .fingerprint import fingerprint
@@ -43,7 +45,7 @@ def default_path() -> Path:
 
 
 def compile(  # noqa: A001
-    arm: SerialArm, threads: int = 1, *, path: Path | None = None
+    arm: ArmSource, threads: int = 1, *, path: Path | None = None
 ) -> Kernel:
     """Compiled dynamics of an arm under its own gravity.
 
@@ -54,16 +56,19 @@ def compile(  # noqa: A001
 
     Raises UsageError for a number of threads below 1 or a path that is not installed.
     """
-    return Kernel(arm, *_checked(threads, path))
+    return Kernel(as_arm(arm), *_checked(threads, path))
 
 
 def compile_difference(
-    a: SerialArm, b: SerialArm, threads: int = 1, *, path: Path | None = None
+    a: ArmSource, b: ArmSource, threads: int = 1, *, path: Path | None = None
 ) -> DifferenceKernel:
     """τ_a − τ_b of two arms in the same joint coordinates (`_comparison.arm_pair`).
 
     Raises UsageError as `compile`, and for arms of different length.
     """
+    a, b = as_arm(a), as_arm(b)
+    if a.n != b.n:
+        raise UsageError(f"arms of {a.n} and {b.n} joints have no torque difference; see pair_up")
     return DifferenceKernel(a, b, *_checked(threads, path))
 
 
@@ -198,6 +203,9 @@ def _shared(
     views, single = as_states(arm, arrays, layout)
     count = len(views["q"])
     result, flat = empty_result(count, shape, layout, out)
+    for name, view in views.items():
+        if np.may_share_memory(view, flat):
+            raise StateError(f"out overlaps {name} in memory; give an array of its own")
 
     def share(part: slice) -> None:
         qd, qdd = (views[name][part] if name in views else None for name in ("qd", "qdd"))
@@ -217,8 +225,7 @@ def _shared(
 
 
 def _checked(threads: int, path: Path | None) -> tuple[int, Path]:
-    if threads < 1:
-        raise UsageError(f"threads must be at least 1, not {threads}")
+    threads = integer("threads", threads, least=1)
     path = path or default_path()
     if path not in get_args(Path):
         raise UsageError(f"path must be one of {', '.join(get_args(Path))}, not {path!r}")

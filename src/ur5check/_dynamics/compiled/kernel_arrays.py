@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..._arguments import number_array
 from ..._errors import StateError, UsageError
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array
@@ -32,14 +33,7 @@ def as_states(
         raise UsageError(f"layout must be 'states' or 'joints', not {layout!r}")
     views, counts, single = {}, set(), False
     for name, given in arrays.items():
-        try:
-            array = np.asarray(given)
-        except ValueError as error:  # ragged nested lists
-            raise StateError(f"{name} is not an array of numbers: {error}") from error
-        if array.dtype != np.float64:
-            if array.dtype.kind not in "iuf":
-                raise StateError(f"{name} must hold real numbers, not {array.dtype.name}")
-            array = array.astype(np.float64)
+        array = number_array(name, given).astype(np.float64, copy=False)
         single = array.ndim == 1
         if single:
             array = array[None, :] if layout == "states" else array[:, None]

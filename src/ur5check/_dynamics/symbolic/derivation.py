@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
-from ..._robot.serial_arm import SerialArm
+from ..._arguments import choice
+from ..._robot.as_arm import ArmSource, as_arm
 from .program import Operations, Program
 from .quantities import Quantity
 from .trace import Parameters, as_written, trace
@@ -42,13 +43,14 @@ class Derivation:
 
 
 def derive(
-    arm: SerialArm, quantity: Quantity = "tau", *, parameters: Parameters = "numeric"
+    arm: ArmSource, quantity: Quantity = "tau", *, parameters: Parameters = "numeric"
 ) -> Derivation:
     """The closed form of a quantity by `trace`, with its operation counts.
 
     Raises UsageError for an unknown quantity.
     """
-    start = perf_counter()
+    arm, start = as_arm(arm), perf_counter()
+    choice("parameters", parameters, ("numeric", "symbolic"))
     written = as_written(arm, quantity, parameters=parameters)
     plain = trace(arm, quantity, parameters=parameters, regroup=False)
     best = plain if parameters == "symbolic" else trace(arm, quantity)

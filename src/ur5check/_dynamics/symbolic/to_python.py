@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..._arguments import instance
 from .infix_text import description, right_hand_side
 from .program import Program, read_input
 
@@ -20,6 +21,7 @@ def to_python(program: Program, *, head: Sequence[str] = ()) -> str:
 
     head : lines for the top of the file, such as its provenance, written as comments
     """
+    instance("program", program, Program, "see ur5check.trace")
     first, *others = description(program)
     signature = ", ".join(program.arguments)
     if program.parameters:

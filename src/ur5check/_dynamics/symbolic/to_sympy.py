@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..._arguments import instance
 from .infix_text import comments, right_hand_side
 from .program import Assignment, Program, read_input, state_names
 
@@ -47,6 +48,7 @@ def expressions(program: Program) -> Any:
 
     For M and g.  The expanded torques of a UR5 are too long: use the replacements of `to_sympy`.
     """
+    instance("program", program, Program, "see ur5check.trace")
     module: dict[str, Any] = {}
     exec(to_sympy(program), module)  # noqa: S102 - the text of `to_sympy`
     known: dict[Any, Any] = {}

@@ -17,7 +17,9 @@ from typing import Literal
 
 import numpy as np
 
+from ..._arguments import choice, integer
 from ..._errors import UsageError
+from ..._robot.as_arm import ArmSource, as_arm
 from ..._robot.serial_arm import SerialArm
 from ..chain_constants import Chain, chain_of
 from ..vectors import ZERO, Scalar, Vector
@@ -41,7 +43,7 @@ _FINALISTS = 3  # last results that are factored, with the first two, to choose 
 
 
 def trace(
-    arm: SerialArm,
+    arm: ArmSource,
     quantity: Quantity = "tau",
     *,
     parameters: Parameters = "numeric",
@@ -58,7 +60,9 @@ def trace(
 
     Raises UsageError for an unknown quantity.
     """
-    recipe = _recipe(quantity)
+    arm, recipe = as_arm(arm), _recipe(quantity)
+    choice("parameters", parameters, ("numeric", "symbolic"))
+    tries = None if tries is None else integer("tries", tries, least=0)
     graph = Graph()
     symbols = Symbols(graph)
     if parameters == "symbolic":

@@ -13,6 +13,7 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
+from ..._arguments import callback, names
 from ..._dynamics.batching import gravity_of
 from ..._dynamics.recursion import rnea
 from ..._finding import Finding
@@ -139,7 +140,7 @@ def compare_engines(
     InputError : a model that cannot be read; a name that is no engine's.
     EngineError : an engine that was named and is not installed.
     """
-    say = progress or (lambda line: None)
+    say = callback("progress", progress)
     arm = load(model)
     keys = engine_keys(engines)
     g = gravity_of(arm, gravity)
@@ -172,7 +173,7 @@ def engine_keys(named: Sequence[str] | None) -> tuple[str, ...]:
     """
     if named is None:
         return installed()
-    for key in named:
+    for key in names("engines", named):
         engine_class(key)
     return tuple(key for key in REGISTRY if key == REFERENCE or key in named)
 

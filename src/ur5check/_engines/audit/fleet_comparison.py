@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from ..._arguments import callback, instance
+from ..._errors import UsageError
 from ..._io.example_robots import FLEET, FleetArm
 from ..._result import Result
 from .engine_comparison import EngineReport, Stage, compare_engines
@@ -61,8 +63,8 @@ def compare_fleet(
     progress: Callable[[str], None] | None = None,
 ) -> FleetReport:
     """`compare_engines` on every arm of a fleet, `FLEET` when None.  Raises as that does."""
-    say = progress or (lambda line: None)
-    arms = FLEET if arms is None else arms
+    say = callback("progress", progress)
+    arms = FLEET if arms is None else _entries(arms)
     reports = []
     for number, entry in enumerate(arms, 1):
         say(f"{entry.name} ({number} of {len(arms)})")
@@ -72,3 +74,10 @@ def compare_fleet(
             )
         )
     return FleetReport(tuple(reports), samples, seed)
+
+
+def _entries(arms: Sequence[FleetArm]) -> tuple[FleetArm, ...]:
+    """Raises UsageError for anything but a sequence of at least one robot."""
+    if not isinstance(arms, tuple | list) or not arms:
+        raise UsageError(f"arms must be some of ur5check.EXAMPLE_ROBOTS, not {arms!r:.80}")
+    return tuple(instance("arms", arm, FleetArm, "see ur5check.EXAMPLE_ROBOTS") for arm in arms)

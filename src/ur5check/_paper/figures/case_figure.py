@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..._arguments import instance
 from ..._reports.paper_summary import headline
 from ..case_runs import Run
 from ..cases import SWEEP
+from ..cases import case as paper_case
 from ..reproduction import Reproduction
 from .figure_style import GREY, LOOKS, READING_ORDER, bare, new_figure, titled
 
@@ -26,6 +28,8 @@ def draw_case(r: Reproduction, number: int) -> Figure:
 
     Raises UsageError where matplotlib is absent.
     """
+    instance("r", r, Reproduction, "see ur5check.reproduce")
+    paper_case(number)
     return _posture(r) if number == 9 else _sweep(r, number)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..._arguments import instance
 from ..._reports.paper_summary import headline_of_all
 from ..cases import CASES
 from ..reproduction import Reproduction
@@ -21,6 +22,7 @@ def draw_overview(r: Reproduction) -> Figure:
 
     Raises UsageError where matplotlib is absent.
     """
+    instance("r", r, Reproduction, "see ur5check.reproduce")
     figure = new_figure(9.6, 8.0)
     panels = figure.subplots(3, 3)
     figure.subplots_adjust(left=0.06, right=0.985, top=0.845, bottom=0.095, hspace=0.7, wspace=0.25)

@@ -11,10 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..._arguments import instance
 from ..._engines.engine import Engine
 from ..._errors import UsageError
-from ..._robot.serial_arm import SerialArm
-from ..._robot.transforms import Array
+from ..._robot.as_arm import ArmSource, as_arm
+from ..._robot.transforms import Array, frozen
 from .feedback_law import FeedbackLaw
 from .gains import Gains
 from .trajectory import Reference
@@ -40,6 +41,16 @@ class ComputedTorque:
     law: FeedbackLaw = FeedbackLaw.RIGHT
     limits: Array | None = None
 
+    def __post_init__(self) -> None:
+        if not isinstance(self.model, Engine):
+            raise UsageError(
+                f"model must be an engine, not {self.model!r:.60}; see ur5check.make_engine"
+            )
+        instance("gains", self.gains, Gains, "see ur5check.Gains")
+        instance("law", self.law, FeedbackLaw, "see ur5check.FeedbackLaw")
+        if self.limits is not None:
+            object.__setattr__(self, "limits", frozen(self.limits, (self.gains.n,), "limits"))
+
     def acceleration(self, wanted: Reference, q: Array, qd: Array, integral: Array) -> Array:
         """K, shape (n,) [rad/s²]; `integral` is ∫e dt [rad s]."""
         e, ed = wanted.q - q, wanted.qd - qd
@@ -54,11 +65,12 @@ class ComputedTorque:
         return tau if self.limits is None else np.clip(tau, -self.limits, self.limits)
 
 
-def effort_limits(arm: SerialArm) -> Array:
+def effort_limits(arm: ArmSource) -> Array:
     """The effort limits of the joints, shape (n,) [N m].
 
     Raises UsageError if a joint has none.
     """
+    arm = as_arm(arm)
     limits = [joint.limits.known_effort for joint in arm.joints]
     for joint, limit in zip(arm.joints, limits, strict=True):
         if limit is None:

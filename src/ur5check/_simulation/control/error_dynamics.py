@@ -20,6 +20,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..._arguments import instance
 from ..._robot.transforms import Array
 from .feedback_law import FeedbackLaw
 from .gains import Gains
@@ -41,5 +42,7 @@ def companion_matrix(gains: Gains, law: FeedbackLaw = FeedbackLaw.RIGHT) -> Arra
 
 def poles(gains: Gains, law: FeedbackLaw = FeedbackLaw.RIGHT) -> NDArray[np.complex128]:
     """Eigenvalues of the error dynamics [1/s], complex, the least damped first."""
+    instance("gains", gains, Gains, "see ur5check.Gains")
+    instance("law", law, FeedbackLaw, "see ur5check.FeedbackLaw")
     values = np.linalg.eigvals(companion_matrix(gains, law)).astype(np.complex128)
     return values[np.argsort(-values.real, kind="stable")]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..._arguments import number_array
 from ..._errors import UsageError
 from ..._robot.transforms import Array, frozen
 
@@ -24,9 +25,10 @@ class Gains:
     kd: Array
 
     def __post_init__(self) -> None:
-        n = np.shape(self.kp)[0] if np.ndim(self.kp) else 0
+        kp = number_array("kp", self.kp, error=UsageError)
+        n = len(kp) if kp.ndim else 0
         for name in ("kp", "ki", "kd"):
-            matrix = np.asarray(getattr(self, name), dtype=np.float64)
+            matrix = number_array(name, getattr(self, name), error=UsageError)
             if matrix.shape != (n, n) or n == 0:
                 raise UsageError(
                     f"{name} has shape {matrix.shape}; give three square matrices of one size, "

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..._arguments import instance, integer, number, number_array
 from ..._engines.engine import Engine
 from ..._errors import UsageError
-from ..._robot.transforms import Array
+from ..._robot.transforms import Array, frozen
 from ..integration import WORKING, Precision, integrate
 from .computed_torque import ComputedTorque
 from .trajectory import Trajectory
@@ -95,10 +96,18 @@ def track(
 
     Raises UsageError if the numbers of joints of arms, gains and trajectory differ.
     """
+    instance("controller", controller, ComputedTorque, "see ur5check.ComputedTorque")
+    if not isinstance(plant, Engine) or not isinstance(trajectory, Trajectory):
+        raise UsageError(
+            "plant must be an engine (ur5check.make_engine) and trajectory a trajectory "
+            f"(ur5check.Quintic), not {plant!r:.60} and {trajectory!r:.60}"
+        )
+    instants = integer("instants", instants, least=2)
+    seconds = None if seconds is None else number("seconds", seconds, positive=True)
     n = trajectory.n
     _require_same_size(controller, plant, n)
     begin = trajectory.at(0.0)
-    start = np.asarray(begin.q if q is None else q, dtype=np.float64)
+    start = frozen(begin.q if q is None else number_array("q", q), (n,), "q")
     end = trajectory.duration if seconds is None else seconds
 
     def rate(t: float, y: Array) -> Array:

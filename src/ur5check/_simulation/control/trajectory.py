@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..._arguments import number, number_array
 from ..._errors import UsageError
 from ..._robot.transforms import Array, frozen
 
@@ -23,6 +24,7 @@ class Reference:
     qdd: Array
 
 
+@runtime_checkable
 class Trajectory(Protocol):
     """A motion of n joints over `duration` seconds; at rest before and after."""
 
@@ -58,7 +60,8 @@ class Quintic:
     duration: float
 
     def __post_init__(self) -> None:
-        start, goal = (np.asarray(end, dtype=np.float64) for end in (self.start, self.goal))
+        start = number_array("start", self.start, error=UsageError)
+        goal = number_array("goal", self.goal, error=UsageError)
         if start.ndim != 1 or start.shape != goal.shape:
             raise UsageError(
                 f"start has shape {start.shape} and goal {goal.shape}; give each one number per "
@@ -66,8 +69,7 @@ class Quintic:
             )
         if not (np.isfinite(start).all() and np.isfinite(goal).all()):
             raise UsageError("start and goal must be finite numbers")
-        if not (np.isfinite(self.duration) and self.duration > 0.0):
-            raise UsageError(f"the duration must be a positive time, not {self.duration:g} s")
+        object.__setattr__(self, "duration", number("duration", self.duration, positive=True))
         object.__setattr__(self, "start", frozen(start, start.shape))
         object.__setattr__(self, "goal", frozen(goal, goal.shape))
 
