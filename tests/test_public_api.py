@@ -259,7 +259,7 @@ def test_a_result_shows_itself(result):
     assert repr(result) == f"<{type(result).__name__}: {result.verdict}>"
     assert result.summary().splitlines()[0] == result.verdict
     assert max(map(len, result.to_text(width=80).splitlines())) <= 80
-    assert json.loads(result.to_json())["tool"]
+    assert json.loads(result.to_json())["schema"].startswith("ur5check.")
     html = result._repr_html_()
     assert html.count("<table>") == html.count("</table>") > 0
     with pytest.raises(Ur5checkError, match="width"):
