@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import ur5check
+from repository import REPOSITORY
 
 ROOT = Path(ur5check.__file__).parent
 
@@ -27,28 +28,19 @@ ENGINES = {
 FILES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))
 
 
-#: Parts of a folder that count as packages of their own: the rest of the folder is above or below.
-INNER = {
-    "_comparison/diagnosis",
-    "_comparison/explanation",
-    "_comparison/identifiability",
-    "_comparison/plausibility",
-    "_comparison/rounding",
-    "_comparison/worst_case",
-    "_dynamics/compiled",
-    "_dynamics/symbolic",
-    "_engines/audit",
-    "_io/gazebo",
-    "_paper/figures",
-    "_simulation/control",
-}
+#: The packages in the order of docs/architecture.md: each imports only those before it.
+PAGE = REPOSITORY / "docs" / "architecture.md"
+PACKAGES = re.findall(r"^\| `([\w/]+)` \|", PAGE.read_text("utf-8"), re.MULTILINE)
+
+#: The public names, imported lazily, and `python -m ur5check`: above all packages.
+TOP = {"__init__", "__main__"}
 
 
 def package_of(file: str) -> str:
-    """The part of `INNER` that a file belongs to, or else the folder at the top."""
+    """The row of the page that a file belongs to: an inner folder with a row, or the top one."""
     top, *rest = file.removesuffix(".py").split("/")
     inner = "/".join([top, *rest[:1]])
-    return inner if inner in INNER else top
+    return inner if inner in PACKAGES else top
 
 
 def imports(file: str) -> list[tuple[str, bool]]:
@@ -111,15 +103,18 @@ def test_a_cycle_is_found() -> None:
     assert cycle({"a": {"b", "c"}, "b": {"c"}, "c": set()}) == []
 
 
-def test_packages_import_one_way() -> None:
-    graph: dict[str, set[str]] = {package_of(file): set() for file in FILES}
+def test_the_page_names_every_package_once() -> None:
+    assert len(PACKAGES) == len(set(PACKAGES))
+    assert set(PACKAGES) == {package_of(file) for file in FILES} - TOP
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_a_package_imports_only_those_above_it(package: str) -> None:
+    allowed = {*PACKAGES[: PACKAGES.index(package) + 1], "__init__"}
     for file in FILES:
-        if file != "__init__.py":  # the public names, imported lazily
-            graph[package_of(file)] |= {package_of(target) for target in imported_files(file)}
-    for package, targets in graph.items():
-        targets.discard(package)
-        targets.discard("__init__")
-    assert not cycle(graph)
+        if package_of(file) == package:
+            for target in imported_files(file):
+                assert package_of(target) in allowed, f"{file} imports {target}"
 
 
 @pytest.mark.parametrize("file", FILES)

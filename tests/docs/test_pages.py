@@ -1,4 +1,4 @@
-"""What the pages point at is there: links, folders, files, and the works that the code cites."""
+"""What the pages refer to exists: links, folders, files, and the works that the code cites."""
 
 from __future__ import annotations
 
@@ -24,9 +24,17 @@ def test_links_lead_somewhere(page: Path) -> None:
 def test_contributing_names_what_is_there() -> None:
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     named = re.findall(r"\b(?:src|tests|docs|benchmarks)/[\w./]+\w", text)
+    named = [path for path in named if "NAME" not in path]
     assert len(named) > 20
     for path in named:
         assert (ROOT / path).exists(), path
+
+
+def test_contributing_names_every_package() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    for folder in (ROOT / "src" / "ur5check").glob("_*/"):
+        if folder.name != "__pycache__":
+            assert f"`src/ur5check/{folder.name}`" in text, folder.name
 
 
 def test_cited_works_are_in_the_references() -> None:
