@@ -51,11 +51,11 @@ def table(mistakes: Iterable[Mistake]) -> str:
 
 
 def _cited(source: str) -> str:
-    owner_and_repository, _, number = source.partition("#")
+    full_name, _, number = source.partition("#")
     if not number:
         return f"`{source}`"
-    repository = owner_and_repository.partition("/")[2]
-    return f"[{repository}#{number}](https://github.com/{owner_and_repository}/issues/{number})"
+    repository = full_name.partition("/")[2]
+    return f"[{repository}#{number}](https://github.com/{full_name}/issues/{number})"
 
 
 def with_outputs(text: str) -> str:

@@ -1,6 +1,6 @@
 """A finding: one thing that is wrong with a model, where it is written, and what to do about it.
 
-The one type for "something is wrong", whoever notices it: a reader, a rule about bodies or joints,
+The one type for "something is wrong", from every source: a reader, a rule about bodies or joints,
 the audit of what an engine imported, the comparison of two models, a recording.
 """
 
@@ -48,7 +48,7 @@ class Finding:
     places : where it is written, the number at fault first
     value, bound : what was found and what it was compared with, in `unit`; None where there is no
         number
-    consequence : what it does to whoever uses the model
+    consequence : what it does to a user of the model
     fix : what to do about it, as an imperative
     effect : the joint torque that it accounts for [N m], None where it is unknown
     """

@@ -39,7 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Reproduce, report, draw, and say whether it can be believed."""
+    """Reproduce the paper, write report and figures; 1 if recursion and Pinocchio disagree."""
     from .._paper.reproduction import reproduce
     from .._reports.paper_document import paper_document
     from .._reports.paper_json import paper_json

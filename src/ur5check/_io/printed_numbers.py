@@ -35,7 +35,7 @@ class Printed(float):
     def rounding(self) -> float:
         """Half a unit in the last digit printed: how far the number meant may lie from this one.
 
-        Zeros and whole numbers are exact: nobody rounds an inertia to whole kg m².
+        Zeros and whole numbers are exact: an inertia is not rounded to whole kg m².
         """
         if not any(mark in self.text for mark in ".eE"):
             return 0.0

@@ -2,8 +2,8 @@
 
 Eqs 3–8 are those of a solid cylinder along z: I_xx = I_yy = m (3 r² + l²)/12 and I_zz = m r²/2.
 The listing prints numbers, not radii.  The cylinders are the appendix's, read back from its tensors
-as round lengths; every formula that a hand might write is then tried on every cylinder, and one is
-believed if it gives the printed digits.  Nine of them leave chance no room among these few dozen.
+as round lengths; every plausible formula is then tried on every cylinder, and one is
+accepted if it gives the printed digits.  Nine digits rule out coincidence among a few dozen.
 """
 
 from __future__ import annotations

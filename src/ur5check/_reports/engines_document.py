@@ -40,12 +40,12 @@ def engines_document(
         f"{report.arm.name}: engine agreement",
         Verdict(word, verdict, good),
         tuple(lines),
-        (_parity(report, limit), _imports(report), _engines(report)),
+        (_agreement(report, limit), _imports(report), _engines(report)),
         Provenance(inputs_of([report.arm]), report.seed, report.samples, command),
     )
 
 
-def _parity(report: EngineReport, limit: float) -> Section:
+def _agreement(report: EngineReport, limit: float) -> Section:
     if len(report.final.matrix.keys) < 2:
         return Section("Differences between the engines", ("There is one engine only.",))
     tables = (_torques(report), _answers(report, limit))

@@ -1,4 +1,4 @@
-"""What a report needs to be made again: versions, inputs, seed, command."""
+"""What reproduces a report: versions, inputs, seed, command."""
 
 from __future__ import annotations
 

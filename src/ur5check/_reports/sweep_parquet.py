@@ -1,4 +1,4 @@
-"""A sweep's histograms and reach map as Parquet, for whoever draws or merges them.
+"""A sweep's histograms and reach map as Parquet, to plot or merge them.
 
 Two tables, since their rows are about different things: NAME.parquet holds the histograms, one row
 a joint and bin that is not empty; NAME.map.parquet the reach map, one row a cell that was visited.

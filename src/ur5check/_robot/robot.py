@@ -1,7 +1,7 @@
 """A robot: what a description says, whole, before any arm is taken from it.
 
 Numbers stand as the file gives them, in its own frames, and each part knows where it is written.
-A number that could not be read is nan or None, and whoever read it has a finding about it: a robot
+A number that could not be read is nan or None, and the reader has a finding about it: a robot
 may be faulty in one place and sound in all others.
 """
 

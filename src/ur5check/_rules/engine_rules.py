@@ -165,7 +165,7 @@ RULES: tuple[Rule, ...] = (
         "order",
         "warning",
         "the engine has the joints in the order of the chain",
-        "torques are sent to the wrong joints by whoever copies arrays",
+        "torques are sent to the wrong joints where arrays are copied",
         "map joints by name",
         "joints pan, lift, roll in the file, and lift, pan, roll in the engine",
         "the same order, or a map by name",

@@ -55,5 +55,5 @@ def _net(dimensions: int, seed: int) -> tuple[Words, Words]:
 
     sobol = Sobol(dimensions, scramble=True, bits=_BITS, rng=np.random.default_rng(seed))
     points = sobol.random(BLOCK).T
-    # SciPy shows its direction numbers to nobody; a test holds our jumps against its own walk.
+    # Direction numbers are private in SciPy; a test compares our jumps with its sequence.
     return np.ascontiguousarray(points * 2.0**_BITS).astype(np.uint64), sobol._sv.copy()

@@ -72,7 +72,7 @@ class Mistake:
     rule_id : of family CMP, never used again for anything else
     says : what happened, as a clause;  repair : what to do in the file, as an imperative
     bad, good : an example, in words: what stands in one file and what in the other
-    sources : where it was met: "owner/repository#number" of a public report, or the name of a
+    sources : where it was met: "account/repository#number" of a public report, or the name of a
         shipped model
     severity : of its findings; a "note" is a convention, not a mistake
     """
@@ -93,7 +93,7 @@ class Mistake:
 
     @property
     def consequence(self) -> str:
-        """What it does to whoever uses the model, as a clause."""
+        """What it does to a user of the model, as a clause."""
         raise NotImplementedError
 
     def rule(self) -> Rule:

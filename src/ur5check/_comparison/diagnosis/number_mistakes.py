@@ -36,7 +36,7 @@ def axis_swaps() -> Iterator[tuple[str, Array]]:
 def digit_swaps(value: float) -> Iterator[Repair]:
     """Two neighbouring digits of a printed number exchanged.
 
-    Nobody prints more than eight digits; a number that has more was computed.
+    Printed numbers have at most eight digits; one that has more was computed.
     """
     text = repr(abs(value))
     if "e" in text or len(text.replace(".", "").lstrip("0")) > 8:

@@ -43,7 +43,7 @@ class RoundedAngle:
 def rounded_angles(arm: SerialArm) -> tuple[RoundedAngle, ...]:
     """Every rotation of B and P_i that some decimals of a multiple of π/2 turn from a quarter turn.
 
-    Being near a quarter turn is not enough: the angles of a calibrated arm are.  What is left over
+    Being near a quarter turn is not enough: the angles of a calibrated arm are.  The rest
     must be what rounding or cutting off leaves, to the last digit, about each axis.  A rounded
     quarter turn hidden in a product with another angle is not looked for.
     """

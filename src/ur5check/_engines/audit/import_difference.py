@@ -2,7 +2,7 @@
 
 affects    meaning
 torque     the engine's torques are those of another arm
-use        whoever calls the engine directly must know: joint order, limits, damping, tool …
+use        matters to programs that call the engine directly: joint order, limits, damping, tool …
 nothing    another representation of the same arm
 """
 

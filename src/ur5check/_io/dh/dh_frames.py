@@ -13,7 +13,7 @@ next axis and p a point on it:
 - the same axis twice: x_i stays as it is, and only α may turn z over.
 
 Of the two directions of x_i the one with the smaller offset is taken.  Frames that are all DH
-frames already stay.  The last frame has the tip's z axis for its next axis.  What is left over,
+frames already stay.  The last frame has the tip's z axis for its next axis.  The rest,
 B C0 before the first row and C_n⁻¹ after the last, are the table's `base` and `tool`.
 """
 

@@ -29,7 +29,7 @@ _DECIMALS = 14  # of a length [m] or angle [rad]: wider than what frames found a
 def dh_toml_of(arm: SerialArm) -> str:
     """The text of a `ur5check.dh/1` file that describes this arm, by the standard convention.
 
-    Raises UsageError where two axes are so nearly parallel that a table would leave the room.
+    Raises UsageError where two nearly parallel axes would make the table unbounded.
     """
     links, base, tool = arm.links, Transform.identity(), Transform.identity()
     by_hand = _has_rows(arm)

@@ -4,7 +4,7 @@ What Gazebo would do with the file as it is, and what is done about it:
 
 - its base would fall over: the root is fixed to a link named `world`, which Gazebo knows;
 - joints outside the arm would swing: they are fixed where ur5check holds them still;
-- a base without mass would be dropped with the whole arm: it is given some, which nobody feels;
+- a base without mass would be dropped with the whole arm: it is given some, without effect;
 - "no limit", written as the largest double, would be out of range: it is written as SDFormat does;
 - two control plugins would fight: transmissions and control plugins are left out, the package
   brings its own;

@@ -31,7 +31,7 @@ def fill(name: str, blanks: Mapping[str, str], provenance: Sequence[str] = ()) -
     name : its path under `templates/`, without the suffix
     provenance : lines for its first comment, written as this kind of file writes comments
 
-    Raises KeyError for a blank that nobody fills.
+    Raises KeyError for a blank without a value.
     """
     text = _root().joinpath(f"{name}{_SUFFIX}").read_text(encoding="utf-8")
     return _Template(text).substitute(blanks, provenance=comment_body(name, provenance))

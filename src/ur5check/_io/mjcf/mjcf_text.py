@@ -147,45 +147,45 @@ class MjcfText:
                 problem = f"{_NO_BODIES[node.tag]}: no rigid body that can be read here"
                 self.fail(node, f"<{node.tag}>", problem, fix)
             reader = ElementReader(self._home(node))
-            owner = _owner(node)
+            subject = _named(node)
             for attribute in _NUMBERS.get(node.tag, ()):
                 if attribute in node.attrib:
-                    reader.numbers(node, attribute, owner)
+                    reader.numbers(node, attribute, subject)
             for attribute in _RANGES:
-                self._check_range(node, attribute, reader, owner)
+                self._check_range(node, attribute, reader, subject)
             if node.tag == "inertial":
-                _check_inertial(node, reader, owner)
+                _check_inertial(node, reader, subject)
 
     def _check_range(
-        self, node: Element, attribute: str, reader: ElementReader, owner: str
+        self, node: Element, attribute: str, reader: ElementReader, subject: str
     ) -> None:
         if node.tag not in ("joint", "motor", "general", "position", "velocity"):
             return
-        values = reader.numbers(node, attribute, owner) if attribute in node.attrib else ()
+        values = reader.numbers(node, attribute, subject) if attribute in node.attrib else ()
         if len(values) == 2 and values[0] > values[1]:
             problem = "lower exceeds upper, which MuJoCo takes for no limit at all"
-            self.fail(node, f"{owner} {attribute}", problem, "swap them", node.get(attribute))
+            self.fail(node, f"{subject} {attribute}", problem, "swap them", node.get(attribute))
 
 
-def _check_inertial(node: Element, reader: ElementReader, owner: str) -> None:
-    mass = reader.number(node, "mass", owner)
+def _check_inertial(node: Element, reader: ElementReader, subject: str) -> None:
+    mass = reader.number(node, "mass", subject)
     key, names = "fullinertia", ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]
     if key not in node.attrib:
         key, names = "diaginertia", names[:3]
     if key not in node.attrib:
         fix = 'write fullinertia="xx yy zz xy xz yz" or diaginertia="xx yy zz"'
-        reader.fail(node, owner, "has no inertia", fix)
-    entries = reader.numbers(node, key, owner)
+        reader.fail(node, subject, "has no inertia", fix)
+    entries = reader.numbers(node, key, subject)
     if len(entries) != len(names):
         problem = f"takes {len(names)} numbers, not {len(entries)}"
-        reader.fail(node, f"{owner} {key}", problem, "write them all", node.get(key))
+        reader.fail(node, f"{subject} {key}", problem, "write them all", node.get(key))
     products = {"ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
     tensor, rounding = printed_tensor(products | dict(zip(names, entries, strict=True)))
     line = node.sourceline
-    check_inertia(mass, tensor, Place(reader.file, f"{owner}/", line, line), rounding=rounding)
+    check_inertia(mass, tensor, Place(reader.file, f"{subject}/", line, line), rounding=rounding)
 
 
-def _owner(node: Element) -> str:
+def _named(node: Element) -> str:
     """“body 'rod' inertial”, for errors."""
     above = node.getparent()
     if node.tag in ("body", "joint") or above is None or above.tag != "body":

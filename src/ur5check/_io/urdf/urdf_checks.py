@@ -74,7 +74,7 @@ def _check_root(root: Element, reader: ElementReader) -> None:
 
 
 def _check_expanded(root: Element, reader: ElementReader) -> None:
-    """No xacro left over.  (A mere xmlns:xacro is fine: xacro leaves it in what it writes.)"""
+    """No xacro is unexpanded.  (A mere xmlns:xacro is fine: xacro leaves it in what it writes.)"""
     fix = "this is a xacro file: name it .xacro, or expand it first (ur5check expand)"
     for element in root.iter(etree.Element):
         tag = etree.QName(element)

@@ -2,11 +2,11 @@
 
 Each link's numbers stand in the frame at its joint, as in any URDF.  Shapes are left out.
 
-What URDF cannot say, or must say though nobody knows it:
+What URDF cannot say, or must say although it is unknown:
 
 - gravity: a comment names it where it is not (0, 0, −9.81) in the base frame;
 - position limits of a revolute joint, both unknown: the joint is written `continuous`;
-- any other number that `<limit>` demands and nobody gave: the largest double stands there, which
+- any other number that `<limit>` demands and is unknown: the largest double stands there, which
   is how Pinocchio writes "no limit".  No limit is invented; a comment says where this was done.
 """
 
@@ -54,7 +54,7 @@ def urdf_of(arm: SerialArm) -> str:
 
 
 def not_said(arm: SerialArm) -> list[str]:
-    """What URDF cannot carry, or must say though nobody knows it, one line each."""
+    """What URDF cannot carry, or must say although it is unknown, one line each."""
     lines = []
     if not np.array_equal(arm.gravity, STANDARD_GRAVITY):
         lines.append(

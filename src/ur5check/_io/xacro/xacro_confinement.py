@@ -80,7 +80,7 @@ def raise_fence(folders: Sequence[str], stop: Callable[[str], Any]) -> None:
         return (real_path(decode(path)) + os.sep).startswith(allowed)
 
     def refuse(tried: str) -> None:
-        # `stop` can be reached, and so replaced, by whoever got this far; this function cannot.
+        # `stop` can be reached, and so replaced, by code that got this far; this function cannot.
         try:
             stop(tried)
         finally:

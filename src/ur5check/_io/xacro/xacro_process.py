@@ -4,7 +4,7 @@ Started by `xacro_file.expand_xacro` and by nothing else: it changes xacro's own
 raises a fence that stays up until the process ends.  It loads no NumPy, so that it starts quickly.
 
 stdout is a file.  Its first bytes (`note_bytes` of them) say what is being evaluated right now, so
-that whoever has to end this process knows what did not come to an end; the answer follows.
+that the parent, if it ends this process, knows which expression did not end; the answer follows.
 """
 
 from __future__ import annotations

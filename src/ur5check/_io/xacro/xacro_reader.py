@@ -1,4 +1,4 @@
-"""xacro to URDF, for files that nobody vouches for.
+"""xacro to URDF, for files from untrusted sources.
 
 xacro's `${…}` is code, so a file is expanded in a process of its own (`xacro_worker`) with bounded
 time, memory and output, an empty environment, and no way to read anything but its own folder and
