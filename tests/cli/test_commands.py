@@ -45,7 +45,7 @@ def test_validate_is_the_paper_against_its_appendix(ur5check: Command) -> None:
     said = ur5check("validate", *FEW)
     assert said.code == 0
     assert said.out.startswith("Validation of paper against appendix\n\nPASS: ")
-    assert "made again by: ur5check validate paper appendix --samples 200 --seed 0" in said.out
+    assert "command: ur5check validate paper appendix --samples 200 --seed 0" in said.out
     assert all(line.startswith("ur5check: ") for line in said.err.splitlines())
 
 

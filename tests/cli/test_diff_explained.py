@@ -150,5 +150,5 @@ def test_quick_says_what_without_why(ur5check: Command) -> None:
 
 def test_the_explanation_in_markdown_writes_combinations_out(ur5check: Command) -> None:
     out = ur5check("diff", "paper", "paper", *FEW, "--format", "markdown").out
-    assert "\n### What torque does see\n" in out
+    assert "\n### Identifiable combinations\n" in out
     assert "\n## What went wrong\n\nNothing: there is no difference to explain.\n" in out

@@ -41,7 +41,7 @@ def test_random_chains(n):
         assert np.abs(ours - theirs).max() <= 1e-12 * np.abs(theirs).max()
 
 
-def test_the_account_of_paper_and_appendix_closes():
+def test_the_attribution_of_paper_and_appendix_leaves_no_residual():
     validation = ur5check.validate("paper", "appendix", samples=10_000)
-    (account,) = (o for o in validation.outcomes if o.id == "account")
-    assert account.value <= 1e-9  # N m
+    (residual,) = (o for o in validation.outcomes if o.id == "residual")
+    assert residual.value <= 1e-9  # N m

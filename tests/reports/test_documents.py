@@ -30,7 +30,7 @@ def test_numbers_say_how_the_arms_were_laid_together(validation: Validation) -> 
     numbers = validate_document(validation).sections[-1]
     assert "the base of appendix is turned by 180° about z" in numbers.lines[0]
     assert "no joint reversed; no zero shifted; all 6 axes are the same lines" in numbers.lines[0]
-    assert any(line.startswith("The account closes: ") for line in numbers.lines)
+    assert any(line.startswith("The attribution is complete: ") for line in numbers.lines)
 
 
 def test_a_failing_law_floats_to_the_top(failing: Validation) -> None:

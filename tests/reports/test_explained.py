@@ -19,9 +19,9 @@ from ur5check._reports.explanation_summary import removed
 SECTIONS = [
     "What went wrong",
     "The numbers",
-    "Whose newton metres",
-    "What torque cannot see",
-    "Digits",
+    "Attribution",
+    "Identifiability",
+    "Rounding",
     "Worst case",
     "Plausibility",
 ]
@@ -56,7 +56,7 @@ def test_sections_stand_in_order(document: Document) -> None:
 
 def test_a_quick_report_gives_no_reasons(difference: Difference) -> None:
     titles = [section.title for section in diff_document(difference).sections]
-    assert titles == ["The numbers", "Whose newton metres"]
+    assert titles == ["The numbers", "Attribution"]
 
 
 def test_every_finding_has_its_evidence(document: Document, explanation: Explanation) -> None:
@@ -91,14 +91,14 @@ def test_what_nothing_explains_is_said(document: Document, explanation: Explanat
     assert [len(t.rows) for t in tables] == ([len(left)] if left else [])
 
 
-def test_owners_are_ranked_by_weight(document: Document) -> None:
-    contributions = table(section(document, "Whose newton metres"), "Whose it is")
+def test_contributions_are_ranked_by_weight(document: Document) -> None:
+    contributions = table(section(document, "Attribution"), "By parameter group")
     weights = [float(cell) for cell in column(contributions, "weight [%]")]
     assert weights == sorted(weights, reverse=True)
     assert "-0.0" not in column(contributions, "share [%]")
 
 
-def test_owners_that_cancel_are_said_to() -> None:
+def test_contributions_that_cancel_are_named() -> None:
     """Link 1 lighter and link 2 heavier about one axis: parts of 10, a difference of next to none.
 
     Link 2's mass goes up, its centre of mass comes nearer, and their moment stays.
@@ -110,14 +110,14 @@ def test_owners_that_cancel_are_said_to() -> None:
     inertias[1] = heavy.expressed_in(arm.links[1].link_tip_frame.inverse())
     d = ur5check.diff(arm, arm.with_inertias(inertias), samples=200)
     assert d.attribution.cancels
-    lines = section(diff_document(d), "Whose newton metres").lines
-    assert any("work against each other" in line for line in lines)
+    lines = section(diff_document(d), "Attribution").lines
+    assert any("Contributions cancel" in line for line in lines)
 
 
 def test_parameters_on_demand(difference: Difference) -> None:
     parameters = by_parameter(difference.pair, difference.states)
     document = diff_document(difference, parameters=parameters)
-    found = table(section(document, "Whose newton metres"), "Parameter by parameter")
+    found = table(section(document, "Attribution"), "Parameter by parameter")
     if difference.pair.a.name == "paper-listing":
         assert column(found, "parameter") == ["geometry"]
     else:
@@ -125,8 +125,8 @@ def test_parameters_on_demand(difference: Difference) -> None:
 
 
 def test_every_parameter_stands_in_its_links_row(document: Document) -> None:
-    seen = section(document, "What torque cannot see")
-    assert seen.lines[0].startswith("Torque tells 36 combinations of ")
+    seen = section(document, "Identifiability")
+    assert seen.lines[0].startswith("Joint torques determine 36 combinations of ")
     (labels,) = seen.tables
     for row in labels.rows:
         assert len(" ".join(row.cells[1:]).replace("–", "").split()) == 10
@@ -135,13 +135,13 @@ def test_every_parameter_stands_in_its_links_row(document: Document) -> None:
 def test_combinations_are_written_out_on_demand(explanation: Explanation) -> None:
     d = explanation.difference
     document = diff_document(d, explanation, written_out=True)
-    combinations = table(section(document, "What torque cannot see"), "What torque does see")
+    combinations = table(section(document, "Identifiability"), "Identifiable combinations")
     assert len(combinations.rows) == 36
 
 
 def test_digits_say_what_they_leave(document: Document, explanation: Explanation) -> None:
-    digits = section(document, "Digits")
-    assert "are left at joint " in digits.lines[0]
+    digits = section(document, "Rounding")
+    assert "remain at joint " in digits.lines[0]
     (items,) = digits.tables
     assert len(items.rows) == len(explanation.budget.items)
     assert set(column(items, "")) == {"recomputed", "bound"}
@@ -170,6 +170,6 @@ def test_where_nothing_differs_nothing_is_explained(equal: Explanation) -> None:
     assert document.verdict is not None
     assert document.verdict.word == "AGREE"
     assert section(document, "What went wrong").tables == ()
-    assert section(document, "Whose newton metres").tables == ()
+    assert section(document, "Attribution").tables == ()
     assert section(document, "Worst case").tables == ()
-    assert "Same numbers, same dynamics." in section(document, "What torque cannot see").lines
+    assert "Same numbers, same dynamics." in section(document, "Identifiability").lines

@@ -34,7 +34,7 @@ def test_an_explanation_is_rectangular_too(explanation: Explanation) -> None:
     d = explanation.difference
     text = render_markdown(diff_document(d, explanation, written_out=True))
     assert_rectangular(text, 12)
-    assert "\n### What torque does see\n" in text
+    assert "\n### Identifiable combinations\n" in text
 
 
 def test_hashes_are_whole(validation: Validation) -> None:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from ur5check._reports.wording import coordinates, figures, joined, posture, residue
+from ur5check._reports.wording import coordinates, figures, joined, percent, posture, residue
 from ur5check._robot import Joint
 
 
@@ -42,6 +42,14 @@ def test_four_figures_or_two_for_next_to_nothing(value: float | None, shown: str
 )
 def test_a_residue_that_is_none_keeps_its_figures(value: float, shown: str) -> None:
     assert residue(value) == shown
+
+
+@pytest.mark.parametrize(
+    ("share", "shown"),
+    [(0.12345, "12.35"), (1.0, "100.00"), (0.00004, "0.00"), (None, "–"), (math.nan, "–")],
+)
+def test_a_percentage_has_hundredths(share: float | None, shown: str) -> None:
+    assert percent(share) == shown
 
 
 def test_a_posture_is_in_degrees_and_millimetres() -> None:

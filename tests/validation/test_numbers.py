@@ -19,7 +19,7 @@ from ur5check._validation.pair_laws import BODIES, PAIRS, PairSubject
 
 STATES = random_states(6, 200, seed=5)
 (PHYSICAL,) = BODIES
-FK, ACCOUNT = PAIRS
+FK, RESIDUAL = PAIRS
 
 
 def bodies(arm):
@@ -72,23 +72,23 @@ def difference(a, b):
         ("erd-ur5", "appendix"),
     ],
 )
-def test_the_account_closes(a, b):
+def test_the_attribution_leaves_no_residual(a, b):
     found = difference(a, b)
-    assert pair_outcome(ACCOUNT, found, PinocchioEngine(ur5check.load(b))).passed
+    assert pair_outcome(RESIDUAL, found, PinocchioEngine(ur5check.load(b))).passed
 
 
-def test_an_account_with_a_forgotten_owner_does_not_close():
+def test_a_wrong_contribution_leaves_a_residual():
     found = difference("paper", "appendix")
     torque = found.attribution.torque.copy()
     torque[found.attribution.rms().max(axis=1).argmin()] += 1e-9
     short = replace(found, attribution=replace(found.attribution, torque=torque))
-    result = pair_outcome(ACCOUNT, short, PinocchioEngine(ur5check.load("appendix")))
+    result = pair_outcome(RESIDUAL, short, PinocchioEngine(ur5check.load("appendix")))
     assert result.status == "fail"
 
 
-def test_an_account_with_a_referee_of_another_mind_does_not_close():
+def test_a_reference_engine_with_another_arm_leaves_a_residual():
     found = difference("paper", "appendix")
-    result = pair_outcome(ACCOUNT, found, PinocchioEngine(ur5check.load("erd-ur5")))
+    result = pair_outcome(RESIDUAL, found, PinocchioEngine(ur5check.load("erd-ur5")))
     assert result.status == "fail"
 
 

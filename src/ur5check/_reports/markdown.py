@@ -59,11 +59,11 @@ def _escaped(text: str) -> str:
 
 
 def _provenance(provenance: Provenance) -> list[str]:
-    lines = [f"- made by {_escaped(provenance.made_by)}"]
+    lines = [f"- versions: {_escaped(provenance.made_by)}"]
     if provenance.samples is not None:
         lines.append(f"- {provenance.samples:,} states, drawn from seed {provenance.seed}")
     lines += [f"- read {_escaped(name)}, SHA-256 `{digest}`" for name, digest in provenance.inputs]
-    blocks = ["## How this report was made", "\n".join(lines)]
+    blocks = ["## How to repeat this report", "\n".join(lines)]
     if provenance.command:
         blocks.append(f"```sh\n{provenance.command}\n```")
     return blocks

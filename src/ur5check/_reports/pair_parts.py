@@ -1,4 +1,4 @@
-"""What `diff` and `validate` both show of two arms: alignment, torques, owners."""
+"""What `diff` and `validate` both show of two arms: alignment, torques, attribution."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .wording import figures, joined, link_label, percent, posture, residue
 
 __all__ = ["alignment_lines", "contribution_rows", "contribution_table", "torque_table"]
 
-_WORTH_A_ROW = 5e-3  # of the sizes of all owners' parts; a smaller one gets no row
+_WORTH_A_ROW = 5e-3  # of the sizes of all contributions; a smaller one gets no row
 
 
 def alignment_lines(d: Difference) -> tuple[str, ...]:
@@ -90,7 +90,7 @@ def torque_table(d: Difference) -> Table:
 
 
 def contribution_table(d: Difference) -> Table:
-    """Whose the difference is, the largest part first."""
+    """The attribution of the difference, the largest contribution first."""
     rows, note = contribution_rows(d, d.attribution)
     return Table(
         (
@@ -101,13 +101,13 @@ def contribution_table(d: Difference) -> Table:
             Column("most at joint"),
         ),
         rows,
-        title="Whose it is",
+        title="By parameter group",
         note=note,
     )
 
 
 def contribution_rows(d: Difference, attribution: Attribution) -> tuple[tuple[Row, ...], str]:
-    """Owners by the size of their parts, and a note on how to read them."""
+    """Contributions by size, and a note on how to read them."""
     weight, share, rms = attribution.weight(), attribution.share(), attribution.rms()
     order = np.argsort(-weight, kind="stable")
     shown = [int(k) for k in order if weight[k] >= _WORTH_A_ROW]
@@ -124,8 +124,9 @@ def contribution_rows(d: Difference, attribution: Attribution) -> tuple[tuple[Ro
         for k in shown
     )
     note = (
-        "Weight: of the sizes of all parts. Share: of the mean square difference; negative: works "
-        "against the others."
+        "Weight: of the sizes of all contributions. Share: of the mean square difference; "
+        "negative: against the "
+        "others."
     )
     rest = int((weight > 0.0).sum()) - len(shown)
     if rest:

@@ -1,4 +1,4 @@
-"""A sweep told in a few sentences, the verdict first."""
+"""A sweep in a few sentences, the verdict first."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ def _verdict(s: Sweep) -> str:
     size = f"{s.maximum[j]:.3g} N m"
     among = f"at {sample_in_words(s)}"
     if s.agrees:
-        return f"{a} and {b} ask for the same torques {among}: none differs by more than {size}."
+        return f"{a} and {b} need the same torques {among}: none differs by more than {size}."
     share = s.share_of_effort()[j]
     of = "" if np.isnan(share) else f", {share:.0%} of its limit"
     return (
-        f"{a} and {b} ask for different torques {among}: up to {size} apart "
+        f"{a} and {b} need different torques {among}: up to {size} apart "
         f"(joint {j + 1}, {s.pair.a.joints[j].name}{of})."
     )
 
@@ -60,7 +60,7 @@ def _over(s: Sweep) -> str:
         return ""
     j = int(share.argmax())
     if share[j] == 0.0:
-        return "No state passes the limit that was asked for."
+        return "No state exceeds the limit of --tolerance."
     never = int((share == 0.0).sum())
     rest = f"; {never} of {len(share)} joints never pass theirs" if never else ""
     passes = f"passes {limits[j]:.4g} N m at {share[j]:.2%} of the states"
@@ -74,7 +74,7 @@ def _where(s: Sweep) -> str:
     radius = grid.radii()[column : column + 2].mean()
     height = grid.heights()[row : row + 2].mean()
     return (
-        f"The largest on the reach map, {highest.max():.3g} N m, is met with the tool "
+        f"The largest on the reach map, {highest.max():.3g} N m, is reached with the tool "
         f"{radius:.2f} m from the base's z axis, {abs(height):.2f} m "
         f"{'above' if height >= 0 else 'below'} the base."
     )

@@ -84,10 +84,10 @@ def motion_table(s: Sweep) -> Table:
 
 
 def limit_table(s: Sweep) -> Table:
-    """How often the limit that was asked for is passed."""
+    """Share of the states that exceed the limit."""
     share, limits = s.share_over(), s.plan.tolerance
     if share is None or limits is None:
-        raise ValueError("no limit was asked for")
+        raise ValueError("the sweep has no limit")
     return Table(
         (
             Column("joint"),

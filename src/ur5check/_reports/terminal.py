@@ -148,8 +148,8 @@ def _provenance(console: Console, provenance: Provenance) -> None:
     console.print()
     console.print(Text("─" * console.width))
     if provenance.command:
-        _say(console, f"made again by: {provenance.command}", style="dim")
-    _say(console, f"made by: {provenance.made_by}", style="dim")
+        _say(console, f"command: {provenance.command}", style="dim")
+    _say(console, f"versions: {provenance.made_by}", style="dim")
     if provenance.samples is not None:
         said = f"states: {provenance.samples:,}, drawn from seed {provenance.seed}"
         _say(console, said, style="dim")

@@ -17,9 +17,9 @@ from .wording import coordinates, figures, residue, titled
 __all__ = ["validate_document"]
 
 _ROUTES = {
-    "SerialArm": "handed over joint by joint",
-    "URDF text, own parser": "which reads the URDF's text with its own parser",
-    "pin.Model": "which holds the model already",
+    "SerialArm": "built joint by joint from our model",
+    "URDF text, own parser": "which parses the URDF text itself",
+    "pin.Model": "the model itself",
 }
 
 
@@ -141,7 +141,7 @@ def _numbers(v: Validation) -> Section:
         if len(v.pairs) > 1:
             lines.append(f"{d.pair.a.label} against {d.pair.b.label}:")
         lines += alignment_lines(d)
-        lines.append(_account(pair))
+        lines.append(_residual(pair))
         tables.append(torque_table(d))
         contributions = contribution_table(d)
         if contributions.rows:
@@ -149,12 +149,12 @@ def _numbers(v: Validation) -> Section:
     return Section("The numbers", tuple(lines), tuple(tables))
 
 
-def _account(pair: PairValidation) -> str:
-    (account,) = (o for o in pair.outcomes if o.id == "account")
-    closed = "closes" if account.passed else "DOES NOT close"
+def _residual(pair: PairValidation) -> str:
+    (outcome,) = (o for o in pair.outcomes if o.id == "residual")
+    attribution = "is complete" if outcome.passed else "IS NOT COMPLETE"
+    a, b = pair.difference.pair.a.label, pair.difference.pair.b.label
     return (
-        f"The account {closed}: {residue(account.value)} {account.unit} of the difference between "
-        f"our torques of {pair.difference.pair.a.label} and the reference engine's of "
-        f"{pair.difference.pair.b.label} have no owner (rounding allows "
-        f"{residue(account.tolerance)})."
+        f"The attribution {attribution}: the difference between our torques of {a} and the "
+        f"reference engine's of {b} leaves a residual of {residue(outcome.value)} {outcome.unit} "
+        f"(rounding allows {residue(outcome.tolerance)})."
     )

@@ -1,4 +1,4 @@
-"""A validation told in a few sentences, the verdict first."""
+"""A validation in a few sentences, the verdict first."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ __all__ = ["summarize"]
 
 
 def summarize(validation: Validation) -> tuple[str, ...]:
-    """One sentence each on the algorithm and the bodies, then the story of every difference."""
+    """One sentence each on the algorithm and the bodies, then the summary of every difference."""
     sentences = [_algorithm(validation), _bodies(validation)]
     for pair in validation.pairs:
         sentences += difference_summary.summarize(pair.difference)
         if not pair.explained:
-            (account,) = (o for o in pair.outcomes if o.id == "account")
+            (residual,) = (o for o in pair.outcomes if o.id == "residual")
             sentences.append(
-                f"NOT EXPLAINED: {account.value:.2g} N m of the difference have no owner "
-                f"(rounding allows {account.tolerance:.1g} N m)."
+                f"NOT EXPLAINED: the attribution leaves a residual of {residual.value:.2g} N m "
+                f"(rounding allows {residual.tolerance:.1g} N m)."
             )
     return tuple(sentences)
 

@@ -1,4 +1,4 @@
-"""What a check is: a statement that can be false, how far it is from true, how far it may be."""
+"""A check: a statement, the largest violation that was measured, and its tolerance."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _EPS = float(np.finfo(np.float64).eps)
 
 @dataclass(frozen=True)
 class Tolerance:
-    """How far from true a statement may be, and why.
+    """The largest violation of a statement that passes, and the reason.
 
     With `per_joint`, the limit is factor · n · ε · scale: rounding, which grows with the number of
     joints that a number travels through and with the size of what is added up.  Without, it is
@@ -43,7 +43,7 @@ class Tolerance:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """What came of measuring: one value per state (or link), in the check's unit.
+    """Measured values: one per state (or link), in the check's unit.
 
     scale : size of the quantities compared, in the same unit
     details : sentences for a report
@@ -60,7 +60,7 @@ class Measurement:
 class Check(Generic[Subject]):
     """A statement that can fail.
 
-    id : how reports, tests and the docs name it
+    id : its name in reports, tests and docs
     statement : in words;  formula : as a formula;  source : where it comes from
     positive : the value must exceed the limit, where otherwise it must not
     """
@@ -78,7 +78,7 @@ class Check(Generic[Subject]):
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What came of a check on one subject.
+    """The result of a check on one subject.
 
     value : the worst one;  tolerance : the limit it was held against;  both in `unit`
     positive : whether the value must exceed the limit, where otherwise it must not

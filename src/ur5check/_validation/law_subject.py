@@ -1,6 +1,4 @@
-"""What the laws are asked of: one arm, our dynamics, a reference engine, and the states to look
-at.
-"""
+"""The subject of the laws: one arm, our dynamics, a reference engine, and states."""
 
 from __future__ import annotations
 
@@ -24,7 +22,7 @@ Numbers = NDArray[Any]
 
 
 class RecursionDynamics(ReferenceEngine, Protocol):
-    """An engine that also knows its energies and takes complex states: ours."""
+    """An engine with energies that also takes complex states: ours."""
 
     def kinetic_energy(self, q: Numbers, qd: Numbers) -> Numbers:
         """T, shape (...) [J]."""
@@ -39,7 +37,7 @@ class RecursionDynamics(ReferenceEngine, Protocol):
 class Subject:
     """One arm under test.  What several laws need is computed once.
 
-    own : the hand-written dynamics;  reference engine : another engine holding the same arm
+    recursion : the hand-written dynamics;  reference : another engine with the same arm
     gravity : in the arm's base frame [m/s²]
     """
 
@@ -69,7 +67,7 @@ class Subject:
 
     @cached_property
     def qdd(self) -> Array:
-        """What our forward dynamics makes of `tau`."""
+        """Our forward dynamics under `tau`."""
         return self.recursion.forward_dynamics(self.states.q, self.states.qd, self.tau)
 
     @cached_property
@@ -117,7 +115,7 @@ class Subject:
 
     @cached_property
     def world_rate_size(self) -> float:
-        """`rate_size` of a reference engine [N m s], which holds its inertias in the world's frame.
+        """`rate_size` of a reference engine [N m s], which computes in the world's frame.
 
         There a body that stands d from the origin has m d² beside its own inertia, which cancels
         in C, but not its rounding.

@@ -205,7 +205,7 @@ LAWS: tuple[Check[Subject], ...] = (
     Check(
         "gravity-gradient",
         "algorithm",
-        "gravity torque is the slope of potential energy",
+        "gravity torque is the gradient of potential energy",
         "g = ∂U/∂q",
         "Siciliano et al. 2009, ch. 7; derivative by complex step",
         "N m",
@@ -235,7 +235,7 @@ LAWS: tuple[Check[Subject], ...] = (
     Check(
         "power-balance",
         "algorithm",
-        "the torques' power is what the energy gains",
+        "the torques' power is the rate of energy",
         "d(T + U)/dt = q̇ᵀ τ",
         "conservation of energy; derivative by complex step along the motion",
         "W",
@@ -265,7 +265,7 @@ LAWS: tuple[Check[Subject], ...] = (
     Check(
         "forward-inverse",
         "algorithm",
-        "forward dynamics undoes inverse dynamics",
+        "forward dynamics inverts inverse dynamics",
         "q̈(q, q̇, τ(q, q̇, q̈)) = q̈",
         "paper, eq. (2) solved for the acceleration",
         "rad/s²",

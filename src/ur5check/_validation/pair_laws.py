@@ -18,10 +18,9 @@ __all__ = ["BODIES", "PAIRS", "PairSubject"]
 
 @dataclass(frozen=True, eq=False)
 class PairSubject:
-    """Two arms that were compared, and the two sides that speak for them.
+    """Two arms that were compared, and an engine for each.
 
-    own : our dynamics, holding arm a;  reference engine : another engine, holding arm b as it was
-        given
+    recursion : our dynamics with arm a;  reference : another engine with arm b as it was given
     """
 
     difference: Difference
@@ -82,8 +81,8 @@ def _fk_alignment(s: PairSubject) -> Measurement:
     return Measurement(values, 1.0, details, per_state=False)
 
 
-def _account(s: PairSubject) -> Measurement:
-    """Our torques of a, less the reference engine's of b, less what the owners explain."""
+def _residual(s: PairSubject) -> Measurement:
+    """Our torques of a, minus the reference engine's of b, minus all contributions."""
     states, alignment = s.difference.states, s.difference.pair.alignment
     signs, offsets = alignment.signs, alignment.offsets
     tau_a = s.recursion.inverse_dynamics(states.q, states.qd, states.qdd)
@@ -109,13 +108,13 @@ PAIRS: tuple[Check[PairSubject], ...] = (
         _fk_alignment,
     ),
     Check(
-        "account",
+        "residual",
         "numbers",
-        "every newton metre of the difference has an owner",
+        "the attribution of the difference leaves no residual",
         "τ_own(a) − τ_reference(b) = share(geometry) + share(gravity) + Ȳ (π_a − π_b)",
         "linearity of torque in π; Shapley's average over orders: docs/checks.md",
         "N m",
         Tolerance(128, "rounding of two torques, and of as many regressors again"),
-        _account,
+        _residual,
     ),
 )

@@ -1,4 +1,4 @@
-"""`ur5check.validate`: is the algorithm right, could the bodies be, are the numbers explained?"""
+"""`ur5check.validate`: laws of the computation, bodies, differences between models."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ class PairValidation:
 
     @property
     def explained(self) -> bool:
-        """Whether every newton metre of the difference has an owner."""
-        return all(outcome.passed for outcome in self.outcomes if outcome.id == "account")
+        """Whether the attribution of the difference leaves no residual beyond rounding."""
+        return all(outcome.passed for outcome in self.outcomes if outcome.id == "residual")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -81,7 +81,7 @@ class Validation(Result):
 
     @property
     def passed(self) -> bool:
-        """Different numbers are a finding, not a failure, as long as they are accounted for."""
+        """Different numbers are no failure as long as their effect is explained."""
         return self.algorithm_right and self.bodies_possible and self.explained
 
 

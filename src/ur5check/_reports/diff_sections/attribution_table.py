@@ -1,4 +1,4 @@
-"""Whose newton metres: owners, terms of the equation of motion, and parameters on demand."""
+"""The attribution of a torque difference: to groups of parameters, terms, single parameters."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ __all__ = ["contributions_section"]
 def contributions_section(
     d: Difference, terms: TermAttribution | None, parameters: Attribution | None
 ) -> Section:
-    """Every newton metre's owner.
+    """Contributions, terms of the equation of motion, and parameters.
 
-    terms : None in a quick report;  parameters : the finer split, where it was asked for
+    terms : None in a quick report;  parameters : with --by-parameter
     """
     tables = [contribution_table(d)]
     if terms is not None:
@@ -27,13 +27,11 @@ def contributions_section(
     if parameters is not None:
         tables.append(_parameter_table(d, parameters))
     remainder = residue(float(np.abs(d.attribution.remainder).max()))
-    closed = f"The owners' parts add up to the difference within {remainder} N m."
+    closed = f"The contributions add up to the difference; the residual is {remainder} N m."
     lines = [closed]
     if d.attribution.cancels:
-        lines.append("Owners work against each other: their parts add up to far more than is left.")
-    return Section(
-        "Whose newton metres", tuple(lines), tuple(table for table in tables if table.rows)
-    )
+        lines.append("Contributions cancel: together they are much larger than the difference.")
+    return Section("Attribution", tuple(lines), tuple(table for table in tables if table.rows))
 
 
 def _term_table(d: Difference, terms: TermAttribution) -> Table:

@@ -16,14 +16,14 @@ def digits_section(e: Explanation) -> Section:
     names = {"a": e.difference.pair.a.label, "b": e.difference.pair.b.label}
     worst = int(budget.remainder.argmax())
     if e.difference.agrees:
-        said = "There is no difference for digits to explain."
+        said = "There is no difference to explain."
     elif budget.digits_suffice:
-        said = "Digits alone explain the difference: nothing is left to be explained."
+        said = "Rounded numbers alone explain the difference."
     else:
         said = (
-            f"Digits explain up to {residue(float(budget.explained.max()))} N m RMS; "
+            f"Rounded numbers explain up to {residue(float(budget.explained.max()))} N m RMS; "
             f"{figures(float(budget.remainder[worst]))} N m of "
-            f"{figures(float(budget.total[worst]))} N m RMS are left at joint {worst + 1} "
+            f"{figures(float(budget.total[worst]))} N m RMS remain at joint {worst + 1} "
             f"({joints[worst].name})."
         )
     table = Table(
@@ -36,10 +36,10 @@ def digits_section(e: Explanation) -> Section:
             Column("max [N m]", number=True),
         ),
         tuple(_row(item, names[item.side]) for item in budget.items),
-        note="At the joint that feels it most. Recomputed: put right and asked again. Bound: what "
-        "the last printed digit of every number may be worth at most.",
+        note="At the joint with the largest effect. Recomputed: with the exact number. Bound: the "
+        "most that the last printed digit of every number can change.",
     )
-    return Section("Digits", (said,), (table,) if table.rows else ())
+    return Section("Rounding", (said,), (table,) if table.rows else ())
 
 
 def _row(item: BudgetItem, name: str) -> Row:

@@ -1,4 +1,4 @@
-"""What torque cannot see: which inertial parameters motion and torque tell, and which not."""
+"""Identifiability: the inertial parameters that joint torques determine, alone or combined."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ def unseen_section(e: Explanation, *, written_out: bool) -> Section:
     """
     seen = e.identifiability
     if seen.certain:
-        certain = f"beyond doubt: what is kept stands {seen.gap:.0e} times above what is dropped"
+        certain = f"with certainty: the singular values have a gap of {seen.gap:.0e}"
     else:
-        certain = f"with doubt: {seen.doubt}"
+        certain = f"without certainty: {seen.doubt}"
     lines = (
-        f"Torque tells {seen.rank} combinations of {e.difference.pair.a.label}'s {seen.columns} "
-        f"inertial parameters, {certain}.",
+        f"Joint torques determine {seen.rank} combinations of {e.difference.pair.a.label}'s "
+        f"{seen.columns} inertial parameters, {certain}.",
         equivalence_in_words(e.equivalence),
     )
     tables = [_label_table(e)]
     if written_out:
         tables.append(_combination_table(e))
-    return Section("What torque cannot see", lines, tuple(tables))
+    return Section("Identifiability", lines, tuple(tables))
 
 
 def _label_table(e: Explanation) -> Table:
@@ -71,6 +71,6 @@ def _combination_table(e: Explanation) -> Table:
             Column(f"less {b.label}'s", number=True),
         ),
         tuple(rows),
-        title="What torque does see",
+        title="Identifiable combinations",
         note="In kg, kg m and kg m². A parameter's number is its link's.",
     )
