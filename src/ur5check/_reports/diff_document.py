@@ -32,7 +32,7 @@ def diff_document(
     """The report of `ur5check diff`.
 
     explanation : of d; None in a quick report
-    parameters : d's attribution to each parameter, where it was asked for
+    parameters : d's attribution to each parameter, with --by-parameter
     written_out : whether the combinations that torque sees are written out
     """
     verdict, *lines = (

@@ -1,6 +1,6 @@
 """What every report is before it is shown: a small tree of words and tables.
 
-    Document ── verdict, what stands out
+    Document ── verdict, main results
              ├─ Section ── lines
              │          ├─ Table ── columns, rows of text
              │          └─ Picture ── a file that was drawn beside the report
@@ -43,7 +43,7 @@ class Row:
 class Table:
     """Rows under columns.
 
-    title : above it;  note : below it, what a reader needs to read it right
+    title : above it;  note : below it, how to read it
     """
 
     columns: tuple[Column, ...]
@@ -94,7 +94,7 @@ class Verdict:
 class Document:
     """A whole report.
 
-    lines : what stands out, one sentence each
+    lines : main results, one sentence each
     """
 
     title: str

@@ -19,7 +19,7 @@ _WORTH_A_ROW = 5e-3  # of the sizes of all contributions; a smaller one gets no 
 
 
 def alignment_lines(d: Difference) -> tuple[str, ...]:
-    """How b was laid along a, in sentences."""
+    """How b was aligned with a, in sentences."""
     a, b, alignment = d.pair.a, d.pair.b, d.pair.alignment
     reversed_joints, shifted = [], []
     for joint, sign, offset in zip(a.joints, alignment.signs, alignment.offsets, strict=True):

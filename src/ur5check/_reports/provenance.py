@@ -27,7 +27,7 @@ _LIBRARIES = {
 
 
 def library_versions() -> dict[str, str]:
-    """Versions by name, Python's first; asked of the installation, so that nothing is imported.
+    """Versions by name, Python's first; read from the installation, so that nothing is imported.
 
     A library that came without a distribution record (from a system package) is left out.
     """
@@ -51,7 +51,7 @@ class Provenance:
 
     inputs : (name, SHA-256) of every file that was read
     seed, samples : of the random states; None where there were none
-    command : the shell command that makes the report again; empty if it was made from Python
+    command : the shell command that repeats the report; empty if it was made from Python
     """
 
     inputs: tuple[tuple[str, str], ...]

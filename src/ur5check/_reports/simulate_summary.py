@@ -20,7 +20,7 @@ def verdict(s: StaticHold) -> str:
 
 
 def summarize(s: StaticHold) -> list[str]:
-    """What stands out, one sentence each."""
+    """Main results, one sentence each."""
     return [line for line in (_torque(s), _drift(s), _ended(s), _pencil(s), _energy(s)) if line]
 
 

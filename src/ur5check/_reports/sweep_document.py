@@ -45,7 +45,7 @@ def _joints(s: Sweep) -> Section:
         f"{sample_in_words(s).capitalize()}, in {s.pair.a.label}'s joint coordinates; "
         f"the axes are {'' if exact else 'NOT '}the same lines in space.",
         f"Quantiles are good to {RELATIVE_ERROR:.1%} of themselves. The maxima are those of these "
-        "states; `ur5check diff` climbs on from there.",
+        "states; `ur5check diff` searches for larger ones.",
     )
     tolerance = () if s.plan.tolerance is None else (limit_table(s),)
     tables = (joint_table(s), *tolerance, worst_table(s), motion_table(s))

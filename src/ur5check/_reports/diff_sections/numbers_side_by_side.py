@@ -1,4 +1,4 @@
-"""The numbers themselves: how the arms were laid together, what differs, what it does to torque."""
+"""The numbers themselves: how the arms were aligned, what differs, what it does to torque."""
 
 from __future__ import annotations
 

@@ -17,9 +17,12 @@ def worst_section(e: Explanation) -> Section:
     moving = [case for case in e.worst if not case.static]
     resting = [case for case in e.worst if case.static]
     if not any(case.starts for case in e.worst):
-        said = "Nothing but rounding parts the two arms at any of the random states."
+        said = "The torques of the two arms differ by rounding alone at all random states."
         return Section("Worst case", (said,))
-    said = "Climbed from the best random states, inside limits of position, speed and acceleration."
+    said = (
+        "Gradient ascent from the worst random states, within limits of position, speed and "
+        "acceleration."
+    )
     unit = "N m or N" if any(joint.kind == "prismatic" for joint in joints) else "N m"
     return Section(
         "Worst case",
@@ -32,7 +35,7 @@ def worst_section(e: Explanation) -> Section:
     )
 
 
-_RANDOM = "Random: how far the best random state came. All together: root of the sum of squares"
+_RANDOM = "Random: the value at the best random state. All together: root of the sum of squares"
 
 
 def _table(
