@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What can be known of the Gazebo hand-over on a machine without Gazebo (docs/gazebo.md): read by
-# libsdformat, built by catkin and ament, launched on paper by roslaunch, and its torque heard over
-# real ROS 1 and ROS 2.  Each check is given something wrong, and must refuse it.
+# Checks of the exported Gazebo packages on a machine without Gazebo (docs/gazebo.md): parsed by
+# libsdformat, built by catkin and ament, the launch file parsed by roslaunch, and the torque messages
+# received over ROS 1 and ROS 2.  Each check is also given a planted fault, which it must refuse.
 #
 #   .ci/check_gazebo.sh [PYTHON]      PYTHON: the interpreter that has ur5check and Drake
 set -euo pipefail
@@ -17,16 +17,16 @@ finish() {
 }
 trap finish EXIT
 
-refuses() { # refuses FAULT WORDS COMMAND…: the command must fail, and say these words
+refuses() { # refuses FAULT WORDS COMMAND…: the command must fail with a message that contains WORDS
     local fault=$1 words=$2
     shift 2
-    if "$@" >"$scratch/said" 2>&1; then
+    if "$@" >"$scratch/output" 2>&1; then
         echo "planted fault passed: $fault" >&2
         exit 1
     fi
-    if ! grep -qF -- "$words" "$scratch/said"; then
+    if ! grep -qF -- "$words" "$scratch/output"; then
         echo "planted fault was refused for another reason: $fault" >&2
-        cat "$scratch/said" >&2
+        cat "$scratch/output" >&2
         exit 1
     fi
     echo "refused, as it must be: $fault"
@@ -119,11 +119,11 @@ done
 sed 's/joint4_effort_controller/joint5_effort_controller/' "$launch" >wrong.launch
 refuses "a controller spawned twice" "spawned:" reads wrong.launch
 sed 's/-z \$(arg z)/-z $(arg height)/' "$launch" >wrong.launch
-refuses "an argument that nobody declares" "height" reads wrong.launch
+refuses "an argument that is not declared" "height" reads wrong.launch
 sed 's/<remap/<removed/' "$launch" >wrong.launch
 refuses "joint states looked for elsewhere" "remapped" reads wrong.launch
 
-echo "--- ROS 1: the torque is heard"
+echo "--- ROS 1: the torque is published"
 export ROS_MASTER_URI=http://127.0.0.1:11399 ROS_IP=127.0.0.1
 "$ros1" -c 'import rosmaster; rosmaster.rosmaster_main()' --core -p 11399 >master.log 2>&1 &
 started+=($!)
@@ -184,7 +184,7 @@ refuses "a controller for another's joint" "not the effort of 'wrist_1_joint'" r
 sed 's#^/ur/joint3#/ru/joint3#' "$share/config/controllers.yaml" >wrong.yaml
 refuses "a controller outside the namespace" "joint3_effort_controller drives" reads2 wrong.yaml
 
-echo "--- ROS 2: the torque is heard"
+echo "--- ROS 2: the torque is published"
 "$ros2" "install2/lib/$package/torque_publisher.py" --ros-args -r __ns:=/ur \
     --params-file "$share/config/torque.yaml" \
     -p "own_model:=$share/urdf/appendix.urdf" -p "python:=$python" >publisher2.log 2>&1 &
@@ -192,4 +192,4 @@ started+=($!)
 heard=$("$ros2" "$here/gazebo/hears_ros2.py" 6) || { cat publisher2.log >&2; exit 1; }
 "$python" "$here/gazebo/same_torque.py" appendix "$pose" "$heard"
 
-echo "Gazebo hand-over: all that can be checked without Gazebo passed"
+echo "Gazebo packages: all checks passed"
