@@ -124,7 +124,7 @@ def test_no_input_is_overwritten(ur5check: Command, good: Path, planted: Path) -
         (("--repair", "b.xml"), "end its name in .urdf"),
         (("--repair", "b.urdf", "-o", "b.urdf"), "the report goes there"),
         (("--repair", "no/such/b.urdf"), "--repair no/such/b.urdf: there is no folder"),
-        (("--acceleration", -1), "acceleration must be a positive number"),
+        (("--acceleration", -1), "acceleration must be a positive finite number"),
     ],
 )
 def test_options_without_meaning(

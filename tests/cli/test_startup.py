@@ -49,7 +49,8 @@ def test_only_the_chosen_command_is_imported() -> None:
     )
     assert "ur5check._cli.show" in done.stderr
     assert "ur5check._cli.diff" not in done.stderr
-    assert "ur5check._reports" not in done.stderr
+    assert "ur5check._reports.document" not in done.stderr
+    assert "ur5check._reports.json_report" not in done.stderr
 
 
 #: Each takes longer to import than the command needs for its work.

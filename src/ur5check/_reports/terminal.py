@@ -20,7 +20,7 @@ from .provenance import Provenance
 
 __all__ = ["render_text"]
 
-# Nobody compares more digits by eye; markdown and JSON carry all 64.
+# Enough to compare by eye; Markdown and JSON have all 64 digits.
 _HASH_DIGITS = 16
 _GAP = 2  # between columns; rich draws one blank of it itself, where other boxes have a line
 _NARROWEST_TEXT = 14

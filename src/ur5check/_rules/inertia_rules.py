@@ -613,7 +613,7 @@ RULES = (
     Rule(
         "INE109", "inertia-beyond-length", "error",
         "without a shape: mass does not spread beyond the link's length, nor the robot's reach",
-        "Tensors in g mm² or of a placeholder make a hand as hard to turn as a house.",
+        "Tensors in g mm² or of a placeholder give a hand the inertia of a building.",
         "accelerations are far too small; simulation hardly moves",
         bad=robot(joint(), link(ixx="80", iyy="80", izz="80")), good=_GOOD,
         fix="give the tensor in kg m², about the centre of mass",
