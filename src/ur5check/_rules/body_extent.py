@@ -45,6 +45,11 @@ class PrimitiveBody:
         return middle - half, middle + half
 
     @property
+    def hull_volume(self) -> float:
+        """The same: these shapes are convex."""
+        return self.volume
+
+    @property
     def volume(self) -> float:
         """[m³]"""
         size = np.abs(self.shape.size)
@@ -61,11 +66,13 @@ class PrimitiveBody:
 class MeshBody:
     """A mesh.  points : corners of its convex hull in the link's frame, shape (k, 3) [m]
     volume : of the solid, or of the hull where the surface does not close [m³]
+    hull_volume : of the convex hull, which no body that the mesh shows exceeds [m³]
     """
 
     shape: ShapeRef
     points: Array
     volume: float
+    hull_volume: float
 
     def extent(self, directions: Array) -> tuple[Array, Array]:
         """As for a primitive."""
@@ -95,6 +102,14 @@ class Extent:
 
     @property
     def volume(self) -> float:
-        """Of the larger of the two pictures, collision and visual [m³]."""
+        """Of the larger of the two pictures, collision and visual, as solids [m³]."""
         kinds = ("collision", "visual")
         return max(sum(b.volume for b in self.bodies if b.shape.kind == kind) for kind in kinds)
+
+    @property
+    def most_volume(self) -> float:
+        """Of the larger of the two pictures, each shape filled to its convex hull [m³]."""
+        kinds = ("collision", "visual")
+        return max(
+            sum(b.hull_volume for b in self.bodies if b.shape.kind == kind) for kind in kinds
+        )

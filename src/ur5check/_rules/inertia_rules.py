@@ -344,8 +344,8 @@ def _density(s: RuleSubject) -> Iterator[Finding]:
         if inertial.mass <= 0.0:
             continue
         extent = s.extent(body.name)
-        if extent is not None and extent.volume > 0.0:
-            volume, of = extent.volume, "its shape"
+        if extent is not None and extent.most_volume > 0.0:
+            volume, of = extent.most_volume, "its shape"
         else:
             # A ball around the link: what no link fills, let alone with metal.
             radius = s.length(body.name) / 2.0 + 0.05

@@ -39,7 +39,7 @@ class MeshReader:
                 value=shape.uri, fix=error.fix,
             )  # fmt: skip
         try:
-            points, volume = _hull_and_volume(path)
+            points, volume, hull_volume = _hull_and_volumes(path)
         except Exception as error:  # noqa: BLE001 - each format's library has errors of its own
             reason = " ".join(f"{type(error).__name__}: {error}".split())[:120]
             return finding_of(
@@ -48,12 +48,13 @@ class MeshReader:
             )  # fmt: skip
         scale = np.array(shape.size)
         placed = (points * scale) @ shape.pose.R.T + shape.pose.p
-        return MeshBody(shape, placed, volume * float(abs(scale.prod())))
+        factor = float(abs(scale.prod()))
+        return MeshBody(shape, placed, volume * factor, hull_volume * factor)
 
 
 @lru_cache(maxsize=256)
-def _hull_and_volume(path: Path) -> tuple[Array, float]:
-    """Corners of the convex hull, shape (k, 3), and the volume of solid or hull."""
+def _hull_and_volumes(path: Path) -> tuple[Array, float, float]:
+    """Corners of the convex hull, shape (k, 3), the volume of the solid, and that of the hull."""
     import trimesh
 
     if path.suffix.lower() not in _FORMATS:
@@ -63,5 +64,6 @@ def _hull_and_volume(path: Path) -> tuple[Array, float]:
     if len(points) < 4 or not np.isfinite(points).all() or not np.ptp(points, axis=0).all():
         raise ValueError("it encloses nothing")
     hull = mesh.convex_hull
-    volume = abs(float(mesh.volume if mesh.is_watertight else hull.volume))
-    return np.asarray(hull.vertices, dtype=np.float64), volume
+    filled = abs(float(hull.volume))
+    solid = abs(float(mesh.volume)) if mesh.is_watertight else filled
+    return np.asarray(hull.vertices, dtype=np.float64), solid, filled

@@ -1,0 +1,138 @@
+"""The first screen of `validate`: at most 24 lines of 80 columns a file.
+
+Verdict, findings worst first with place and fix, the robot's mass and arm, one line for the
+computation.  The rest is for `--full`, Markdown and JSON.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+
+import numpy as np
+
+from .._finding import Finding
+from .._validation.configuration import Sorted
+from .._validation.judgement import Judgement
+
+__all__ = ["LINES", "WIDTH", "summary_table", "verdict_text"]
+
+LINES, WIDTH = 24, 80
+
+
+def verdict_text(
+    j: Judgement, s: Sorted, passed: bool, *, lines: int | None = LINES, width: int = WIDTH
+) -> str:
+    """One file's verdict.
+
+    s : the findings as the project's configuration sorts them
+    lines : how many at most; None for all findings
+    """
+    head = [_headline(j, s, passed, width)]
+    foot = [line for text in _facts(j, s) for line in _wrapped(text, width, "           ")]
+    if not s.open:
+        return "\n".join([*head, *foot]) + "\n"
+    room = None if lines is None else lines - len(head) - len(foot) - 2
+    return "\n".join([*head, "", *_findings(s.open, room, width), "", *foot]) + "\n"
+
+
+def _headline(j: Judgement, s: Sorted, passed: bool, width: int) -> str:
+    counts = [
+        f"{n} {word}{'s' if n != 1 else ''}"
+        for word in ("error", "warning", "note")
+        if (n := sum(f.severity == word for f in s.open))
+    ]
+    text = f"{'PASS' if passed else 'FAIL'}  {j.file}: {', '.join(counts) or 'no findings'}"
+    if len(text) > width:  # a long path is cut at its beginning
+        over = len(text) - width + 1
+        text = f"{text[:6]}…{text[6 + over :]}"
+    return text
+
+
+def _findings(findings: Sequence[Finding], room: int | None, width: int) -> list[str]:
+    shown: list[str] = []
+    for k, finding in enumerate(findings):
+        block = _finding(finding, width, short=room is not None)
+        left = len(findings) - k
+        needed = len(block) + (1 if left > 1 else 0)
+        if room is not None and len(shown) + needed > room:
+            shown.append(f"… and {left} more (--full shows all)")
+            break
+        shown += block
+    return shown
+
+
+def _finding(f: Finding, width: int, *, short: bool) -> list[str]:
+    where = f"line {f.place.line}" if f.place.line else ""
+    if f.place.line and f.place.column:
+        where += f":{f.place.column}"
+    head = "  ".join(part for part in (f"{f.severity:7} {f.rule}", f.subject, where) if part)
+    message = _wrapped(f.message, width - 4, "")
+    if short and len(message) > 2:
+        message = [message[0], f"{message[1][: width - 6]} …"]
+    tail = []
+    if f.fix:
+        tail = _wrapped(f"fix: {f.fix}", width - 4, "     ")
+        tail = tail[:1] if short and len(tail) > 1 and len(message) > 1 else tail
+    if not short and f.consequence:
+        tail = [*_wrapped(f"consequence: {f.consequence}", width - 4, "     "), *tail]
+    return [head[:width], *(f"    {line}" for line in (*message, *tail))]
+
+
+def _facts(j: Judgement, s: Sorted) -> list[str]:
+    facts = []
+    robot = j.robot
+    if robot is not None:
+        moving = sum(joint.moves for joint in robot.joints)
+        facts.append(
+            f"robot      {robot.name}: {len(robot.links)} links, {moving} moving joints, "
+            f"{robot.mass:.4g} kg"
+        )
+    if j.arm is not None:
+        mass = sum(link.inertia.mass for link in j.arm.links)
+        facts.append(
+            f"arm        {j.arm.source.base} → {j.arm.source.tip}, {j.arm.n} joints, "
+            f"{mass:.4g} kg moved"
+        )
+    elif j.arm_note:
+        facts.append(f"arm        none: {j.arm_note}")
+    if j.laws is not None:
+        outcomes = [o for o in j.laws.outcomes if o.about == "algorithm"]
+        failed = [o.id for o in outcomes if not o.passed]
+        torque = next((o.value for o in outcomes if o.id == "torque-reference"), float(np.nan))
+        agree = (
+            f"hand-written recursion and {j.laws.reference} agree: {len(outcomes)} laws, "
+            f"{j.samples:,} states, {torque:.0e} N m"
+            if not failed
+            else f"the computation is WRONG: {', '.join(failed)}; please report this"
+        )
+        facts.append(f"computed   {agree}")
+    elif j.laws_note and j.arm is not None:
+        facts.append(f"computed   not checked: {j.laws_note}")
+    for finding, acceptance in s.accepted:
+        facts.append(f"accepted   {finding.rule} {finding.subject}: {acceptance.reason}")
+    for stale in s.stale:
+        facts.append(f"stale      {stale.rule} {stale.subject} is accepted but does not occur")
+    return facts
+
+
+def _wrapped(text: str, width: int, indent: str) -> list[str]:
+    return textwrap.wrap(
+        text, width, subsequent_indent=indent, break_long_words=True, break_on_hyphens=False
+    )
+
+
+def summary_table(results: Sequence[tuple[Judgement, Sorted, bool]], width: int = WIDTH) -> str:
+    """A row a file, and how many passed."""
+    rows = []
+    for j, s, passed in results:
+        counts = [sum(f.severity == word for f in s.open) for word in ("error", "warning", "note")]
+        first = next((f"{f.rule} {f.subject}" for f in s.open if f.severity == "error"), "")
+        mass = "" if j.robot is None else f"{j.robot.mass:.4g}"
+        name = j.file if len(j.file) <= 34 else f"…{j.file[-33:]}"
+        row = f"{'PASS' if passed else 'FAIL'}  {name:34} " + "".join(f"{n:4}" for n in counts)
+        rows.append(f"{row} {mass:>8}  {first}"[:width].rstrip())
+    head = f"      {'file':34}  err warn note       kg  first error"
+    failed = sum(not passed for *_, passed in results)
+    total = f"{len(results)} files: {len(results) - failed} pass, {failed} fail"
+    return "\n".join([head, *rows, total]) + "\n"

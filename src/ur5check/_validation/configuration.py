@@ -1,0 +1,174 @@
+"""What a project accepts: `ur5check.toml`, or `[tool.ur5check]` in `pyproject.toml`.
+
+    fail-level = "error"                # or "warning", "note"
+    ignore = ["GEO102"]                 # rules or families that are not asked
+    select = ["INE", "JNT"]             # if given, only these are
+
+    [per-file]
+    "urdf/old_*.urdf" = ["JNT103"]      # more to ignore in files of these names
+
+    [[accepted]]                        # a known finding, with the reason why it stays
+    rule = "INE109"
+    subject = "link 'base_link'"
+    file = "*.urdf"                     # optional
+    reason = "the base stands; its tensor bears on no joint"
+    until = 2027-06-30                  # optional: from then on it counts again
+
+An accepted finding is shown, and counts for nothing.  One that no longer occurs is stale, and said
+to be.
+"""
+
+from __future__ import annotations
+
+import datetime
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from pathlib import Path
+from typing import Any, cast, get_args
+
+from .._errors import UsageError
+from .._finding import Finding, Severity
+
+__all__ = ["Acceptance", "Configuration", "Sorted", "find_configuration", "read_configuration"]
+
+_NAMES = ("ur5check.toml", "pyproject.toml")
+
+
+@dataclass(frozen=True)
+class Acceptance:
+    """A finding that stays, and why.  file : a pattern;  until : the last day on which it counts."""
+
+    rule: str
+    subject: str
+    reason: str
+    file: str = "*"
+    until: datetime.date | None = None
+
+    def covers(self, finding: Finding, file: str, today: datetime.date) -> bool:
+        """Whether this is about that finding of that file, and still holds."""
+        named = self.rule == finding.rule and self.subject in ("", finding.subject)
+        return named and _matches(file, self.file) and (self.until is None or today <= self.until)
+
+
+@dataclass(frozen=True)
+class Sorted:
+    """Findings of one file as a configuration sorts them.
+
+    open : that count;  accepted : with their acceptances;  stale : acceptances that cover nothing
+    """
+
+    open: tuple[Finding, ...]
+    accepted: tuple[tuple[Finding, Acceptance], ...]
+    stale: tuple[Acceptance, ...]
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """See the top of this file.  path : "" where there is none"""
+
+    path: str = ""
+    fail_level: Severity = "error"
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    per_file: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    accepted: tuple[Acceptance, ...] = ()
+
+    def sort(
+        self, findings: Sequence[Finding], file: str, today: datetime.date | None = None
+    ) -> Sorted:
+        """Which findings count, which are accepted, and which acceptances are stale."""
+        day = today or datetime.date.today()
+        ignored = (
+            *self.ignore,
+            *(rule for pattern, rules in self.per_file if _matches(file, pattern) for rule in rules),
+        )
+        kept, accepted = [], []
+        used: set[Acceptance] = set()
+        for finding in findings:
+            if self.select and not finding.rule.startswith(self.select):
+                continue
+            if ignored and finding.rule.startswith(ignored):
+                continue
+            covering = [a for a in self.accepted if a.covers(finding, file, day)]
+            used.update(covering)
+            if covering:
+                accepted.append((finding, covering[0]))
+            else:
+                kept.append(finding)
+        stale = [a for a in self.accepted if a not in used and _matches(file, a.file)]
+        return Sorted(tuple(kept), tuple(accepted), tuple(stale))
+
+
+def find_configuration(start: Path) -> Configuration:
+    """The nearest configuration at or above a folder; an empty one where there is none.
+
+    Raises UsageError for one that is not as described above.
+    """
+    for folder in (start.resolve(), *start.resolve().parents):
+        for name in _NAMES:
+            file = folder / name
+            if file.is_file() and (name != "pyproject.toml" or b"[tool.ur5check" in file.read_bytes()):
+                return read_configuration(file)
+    return Configuration()
+
+
+def read_configuration(file: Path) -> Configuration:
+    """A configuration from a file.  Raises UsageError for one that is not as described above."""
+    try:
+        table: dict[str, Any] = tomllib.loads(file.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise UsageError(f"{file}: {error}") from None
+    if file.name == "pyproject.toml":
+        table = table.get("tool", {}).get("ur5check", {})
+    known = {"fail-level", "select", "ignore", "per-file", "accepted"}
+    for key in table.keys() - known:
+        raise UsageError(f"{file}: {key!r} is no setting; use {', '.join(sorted(known))}")
+    level = table.get("fail-level", "error")
+    if level not in get_args(Severity):
+        raise UsageError(f"{file}: fail-level is {level!r}; use error, warning or note")
+    per_file = table.get("per-file", {})
+    if not isinstance(per_file, Mapping):
+        raise UsageError(f"{file}: per-file takes patterns and lists of rules")
+    return Configuration(
+        str(file),
+        cast("Severity", level),
+        _words(file, "select", table.get("select", [])),
+        _words(file, "ignore", table.get("ignore", [])),
+        tuple((name, _words(file, f"per-file {name!r}", rules)) for name, rules in per_file.items()),
+        tuple(_acceptance(file, entry) for entry in table.get("accepted", [])),
+    )
+
+
+def _words(file: Path, key: str, value: object) -> tuple[str, ...]:
+    from .._rules.registry import all_rules
+
+    if not isinstance(value, list) or not all(isinstance(word, str) for word in value):
+        raise UsageError(f"{file}: {key} takes a list of rules or families")
+    for word in value:
+        if not any(rule.startswith(word) for rule in all_rules()):
+            raise UsageError(f"{file}: {key} names {word!r}, which is no rule (ur5check rules)")
+    return tuple(value)
+
+
+def _acceptance(file: Path, entry: object) -> Acceptance:
+    if not isinstance(entry, Mapping):
+        raise UsageError(f"{file}: an entry of accepted takes rule, subject and reason")
+    unknown = entry.keys() - {"rule", "subject", "reason", "file", "until"}
+    texts = {key: entry.get(key, "*" if key == "file" else "") for key in ("rule", "subject", "reason", "file")}
+    until = entry.get("until")
+    if unknown or not all(isinstance(text, str) for text in texts.values()) or not texts["rule"]:
+        raise UsageError(f"{file}: an entry of accepted takes rule, subject, reason, file and until")
+    if not texts["reason"].strip():
+        raise UsageError(f"{file}: {texts['rule']} is accepted without a reason; give one")
+    if until is not None and type(until) is not datetime.date:
+        raise UsageError(f"{file}: until = {until} is no date; write 2027-06-30")
+    _words(file, "accepted", [texts["rule"]])
+    return Acceptance(until=until, **texts)
+
+
+def _matches(file: str, pattern: str) -> bool:
+    return fnmatch(file, pattern) or fnmatch(Path(file).name, pattern) or fnmatch(file, f"*/{pattern}")
+
+
