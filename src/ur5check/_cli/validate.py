@@ -1,26 +1,35 @@
-"""Check models: whether each link's inertia is physically consistent, whether the
-dynamics computed here and by Pinocchio agree and satisfy the laws of rigid body
-dynamics, and, for several models, which parameters explain the torque
-differences from the first.
+"""Judge models: what is wrong in their files, in bodies, joints and shapes, worst first, each with
+its place and what to do.  Then check the computation of each arm against Pinocchio.
 
-Exit code 0: all checks pass; models may differ if the difference is attributed
-to parameters without a residual.  1: a check fails.
+Two models are also compared.  Many files, or folders, give a table.  Without a model the paper's
+tables and its appendix URDF are judged, with their known differences accepted (models/ur5check.toml).
+
+Exit code 0 if all pass, 1 if there is a finding at or above --fail-level, 2 for wrong usage.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
 
+from .._errors import UsageError
 from .options import (
     MODELS,
-    ModelOptions,
     add_model_options,
     add_output_options,
     add_state_options,
     command_line,
+    name_value_pairs,
     progress,
 )
 from .output import check_output, emit, format_of, rendered
+
+if TYPE_CHECKING:
+    from .._validation.configuration import Configuration
+    from .._validation.validation import Validation
+    from .._validation.verdict import PairVerdict, Request, Verdict
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -28,47 +37,205 @@ EXAMPLES = f"""\
 {MODELS}
 
 examples:
-  ur5check validate
   ur5check validate my_arm.urdf
-  ur5check validate my_arm.urdf.xacro --package my_robot=. --arg prefix:=left_
+  ur5check validate my_arm.urdf.xacro --arg prefix:=left_ --expect-mass 18.4
+  ur5check validate old.urdf new.urdf --full -o report.md
+  ur5check validate descriptions/ --format json -o findings.json
 """
+
+#: States at which the computation is checked: of one or two models, and of each of many.
+_SAMPLES, _SAMPLES_OF_MANY = 10_000, 100
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `validate` takes."""
     parser.add_argument(
-        "models", nargs="*", metavar="MODEL", help="models to check (default: paper appendix)"
+        "models", nargs="*", metavar="MODEL", help="models, or folders (default: paper appendix)"
     )
-    add_state_options(parser)
+    parser.add_argument("--full", action="store_true", help="show all findings and all tables")
+    parser.add_argument(
+        "--fail-level",
+        choices=("error", "warning", "note"),
+        help="least severity that fails a model (default: error, or the configuration's)",
+    )
+    parser.add_argument(
+        "--config", metavar="FILE", help="accepted findings (default: nearest ur5check.toml)"
+    )
+    parser.add_argument(
+        "--expect-mass", type=float, metavar="KG", help="mass of the whole robot, to 5 %%"
+    )
+    parser.add_argument(
+        "--payload", type=float, default=0.0, metavar="KG", help="held at the tip (default 0)"
+    )
+    parser.add_argument(
+        "--hold",
+        action="append",
+        default=[],
+        metavar="JOINT=VALUE",
+        help="position of a joint beside the arm [rad] or [m] (default 0); repeatable",
+    )
+    parser.add_argument("--no-meshes", action="store_true", help="do not read mesh files")
+    parser.add_argument(
+        "--jobs", type=int, metavar="N", help="processes for many files (default: one a core)"
+    )
+    add_state_options(parser, samples=None)
     add_model_options(parser, ("", "a", "b"))
     add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Validate, report, and say whether it passed."""
-    models = tuple(args.models) or ("paper", "appendix")
-    options = ModelOptions.of(args, models)
-    check_output(args.output, ())
-    arms = options.load(quiet=args.quiet)
-    check_output(args.output, options.files(arms))
+    """Judge, report, and say whether all passed."""
+    from .._validation.configuration import find_configuration, read_configuration
+    from .._validation.verdict import compare_verdicts, files_under, verdicts
 
-    from .._reports.validate_document import validate_document
-    from .._reports.validate_json import validate_json
-    from .._validation.validation import validate
-
-    validation = validate(
-        *arms,
-        samples=args.samples,
-        seed=args.seed,
-        gravity=args.gravity,
-        progress=lambda line: progress(args.quiet, line),
+    paper = not args.models
+    models = ["paper", "appendix"] if paper else files_under(args.models)
+    if not models:
+        raise UsageError(f"{', '.join(args.models)}: no .urdf or .urdf.xacro file is in there")
+    check_output(args.output, [Path(model) for model in models if Path(model).is_file()])
+    if args.config is not None:
+        configuration = read_configuration(Path(args.config))
+    elif paper:
+        configuration = _papers_configuration()
+    else:
+        configuration = find_configuration(_folder_of(models[0]))
+    requests = _requests(args, models)
+    jobs = (os.cpu_count() or 1) if args.jobs is None else args.jobs
+    if jobs < 1:
+        raise UsageError(f"--jobs {jobs}: give one or more")
+    results = list(
+        verdicts(
+            requests,
+            configuration,
+            args.fail_level or configuration.fail_level,
+            jobs=jobs if len(requests) > 2 else 1,
+            progress=lambda line: progress(args.quiet, line),
+        )
     )
-    command = command_line("validate", args, models)
-    text = rendered(
-        format_of(args.format, args.output),
+    pair = None
+    if len(results) == 2:
+        progress(args.quiet, f"comparing {models[0]} with {models[1]}")
+        pair = compare_verdicts(*results, configuration, requests[0].samples, args.seed)
+    command = command_line("validate", args, tuple(args.models))
+    emit(_text(args, results, pair, configuration, command), args.output)
+    return 0 if all(v.passed for v in results) and (pair is None or pair.passed) else 1
+
+
+def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
+    from .._validation.verdict import Request
+
+    samples = args.samples
+    if samples is None:
+        samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
+    if samples < 1:
+        raise UsageError(f"--samples {samples}: give one or more")
+    ends = _ends(args, len(models))
+    hold = {}
+    for name, value in name_value_pairs(args.hold, "--hold", "=").items():
+        try:
+            hold[name] = float(value)
+        except ValueError:
+            raise UsageError(f"--hold {name}={value}: give a number") from None
+    packages = tuple(name_value_pairs(args.package, "--package", "=").items())
+    arguments = tuple(name_value_pairs(args.arg, "--arg", ":=").items())
+    return [
+        Request(
+            model,
+            base,
+            tip,
+            tuple(hold.items()),
+            packages,
+            arguments,
+            samples,
+            args.seed,
+            args.payload,
+            args.expect_mass,
+            not args.no_meshes,
+        )
+        for model, (base, tip) in zip(models, ends, strict=True)
+    ]
+
+
+def _ends(args: argparse.Namespace, count: int) -> list[tuple[str | None, str | None]]:
+    """--base and --tip of one model, --base-a … of two; none of many."""
+    sides = {1: [""], 2: ["_a", "_b"]}.get(count, [])
+    for end in ("base", "tip"):
+        for side in ("", "_a", "_b"):
+            if getattr(args, end + side) is not None and side not in sides:
+                option = f"--{end}{side.replace('_', '-')}"
+                instead = {1: f"--{end}", 2: f"--{end}-a or --{end}-b"}.get(count, "one model a call")
+                raise UsageError(
+                    f"{option} has no meaning with {count} model{'s' if count > 1 else ''}; "
+                    f"use {instead}"
+                )
+    if not sides:
+        return [(None, None)] * count
+    return [(getattr(args, f"base{side}"), getattr(args, f"tip{side}")) for side in sides]
+
+
+def _folder_of(model: str) -> Path:
+    file = Path(model)
+    return file.parent if file.exists() else Path.cwd()
+
+
+def _papers_configuration() -> Configuration:
+    from .._io.ros_packages import models_directory
+    from .._validation.configuration import read_configuration
+
+    return read_configuration(models_directory() / "ur5check.toml")
+
+
+def _text(
+    args: argparse.Namespace,
+    results: list[Verdict],
+    pair: PairVerdict | None,
+    configuration: Configuration,
+    command: str,
+) -> str:
+    form = format_of(args.format, args.output)
+    if form == "text":
+        from .._reports.verdict_text import verdicts_text
+
+        whole = args.full or args.output is not None
+        text = verdicts_text(results, pair, full=whole)
+        if not whole:
+            return text
+        tables = _validation(args, results, pair)
+        return text if tables is None else text + "\n" + _tables(args, tables, command)
+    from .._reports.verdict_document import verdict_document
+    from .._reports.verdict_json import verdict_json
+
+    return rendered(
+        form,
+        args.output,
+        document=lambda: verdict_document(
+            results, pair, _validation(args, results, pair), command=command
+        ),
+        report=lambda: verdict_json(
+            results, pair, _validation(args, results, pair), configuration, command=command
+        ),
+    )
+
+
+def _validation(
+    args: argparse.Namespace, results: list[Verdict], pair: PairVerdict | None
+) -> Validation | None:
+    """The laws of every arm that was computed, as one result; None where there is none."""
+    from .._validation.validation import Validation
+
+    checked = [v.judgement.laws for v in results if v.judgement.laws is not None]
+    if not checked:
+        return None
+    pairs = () if pair is None or pair.comparison is None else (pair.comparison,)
+    return Validation(tuple(checked), pairs, results[0].judgement.samples, args.seed)
+
+
+def _tables(args: argparse.Namespace, validation: Validation, command: str) -> str:
+    from .._reports.validate_document import validate_document
+
+    return rendered(
+        "text",
         args.output,
         document=lambda: validate_document(validation, command=command),
-        report=lambda: validate_json(validation, command=command),
+        report=dict,
     )
-    emit(text, args.output)
-    return 0 if validation.passed else 1

@@ -21,7 +21,14 @@ from .law_subject import Subject
 from .laws import LAWS
 from .pair_laws import BODIES, PAIRS, PairSubject
 
-__all__ = ["ModelValidation", "PairValidation", "Validation", "validate", "validate_arm"]
+__all__ = [
+    "ModelValidation",
+    "PairValidation",
+    "Validation",
+    "validate",
+    "validate_arm",
+    "validate_pair",
+]
 
 Progress = Callable[[str], None]
 
@@ -126,7 +133,7 @@ def validate(
     pairs = []
     for arm, reference in zip(arms[1:], references[1:], strict=True):
         say(f"comparing {arms[0].label} with {arm.label}")
-        pairs.append(_validate_pair(arms[0], arm, reference, samples, seed))
+        pairs.append(validate_pair(arms[0], arm, reference, samples, seed))
     return Validation(tuple(validated), tuple(pairs), samples, seed)
 
 
@@ -139,9 +146,10 @@ def validate_arm(arm: SerialArm, reference: ReferenceEngine, states: States) -> 
     return ModelValidation(arm, f"{reference.name} {reference.version}", reference.route, outcomes)
 
 
-def _validate_pair(
+def validate_pair(
     a: SerialArm, b: SerialArm, reference: ReferenceEngine, samples: int, seed: int
 ) -> PairValidation:
+    """What differs between two arms, and whether all of it is explained; `reference` holds b."""
     states = random_states(a.n, samples, seed)
     difference = compare(a, b, states, seed)
     subject = PairSubject(difference, RecursionEngine(a), reference)

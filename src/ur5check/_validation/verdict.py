@@ -1,0 +1,169 @@
+"""Verdicts on many models, and whether two of them agree.
+
+A model passes if no finding at or above the fail level is open, after what the project accepts, and
+no law of the computation failed.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from .._errors import EngineError, InputError
+from .._finding import SEVERITIES, Severity
+from .._robot.labels import labelled
+from .._rules.finding_log import finding_of
+from .configuration import Configuration, Sorted
+from .judgement import Judgement, judge
+from .validation import PairValidation, validate_pair
+
+__all__ = ["PairVerdict", "Request", "Verdict", "compare_verdicts", "files_under", "verdicts"]
+
+#: What a folder is searched for.
+_PATTERNS = ("*.urdf", "*.urdf.xacro")
+
+
+@dataclass(frozen=True)
+class Request:
+    """How one model is to be judged: the arguments of `judge`."""
+
+    model: str
+    base: str | None = None
+    tip: str | None = None
+    hold: tuple[tuple[str, float], ...] = ()
+    packages: tuple[tuple[str, str], ...] = ()
+    arguments: tuple[tuple[str, str], ...] = ()
+    samples: int = 1000
+    seed: int = 0
+    payload: float = 0.0
+    expected_mass: float | None = None
+    meshes: bool = True
+
+    def judge(self) -> Judgement:
+        """Raises UsageError as `judge` does."""
+        return judge(
+            self.model,
+            base=self.base,
+            tip=self.tip,
+            hold=dict(self.hold),
+            packages=dict(self.packages),
+            arguments=dict(self.arguments),
+            samples=self.samples,
+            seed=self.seed,
+            payload=self.payload,
+            expected_mass=self.expected_mass,
+            meshes=self.meshes,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """judgement : of one model;  findings : as the project's configuration sorts them"""
+
+    judgement: Judgement
+    findings: Sorted
+    fail_level: Severity
+
+    @property
+    def passed(self) -> bool:
+        """Whether nothing open is at or above the fail level, and no law failed."""
+        worst = SEVERITIES.index(self.fail_level)
+        open_ones = (SEVERITIES.index(f.severity) for f in self.findings.open)
+        return self.judgement.laws_hold and all(severity > worst for severity in open_ones)
+
+
+def files_under(paths: Sequence[str]) -> list[str]:
+    """The models that paths stand for: a folder for the descriptions in it, sorted."""
+    found: list[str] = []
+    for path in paths:
+        folder = Path(path)
+        if folder.is_dir():
+            inside = {str(file) for pattern in _PATTERNS for file in folder.rglob(pattern)}
+            found += sorted(inside)
+        else:
+            found.append(path)
+    return found
+
+
+def verdicts(
+    requests: Sequence[Request],
+    configuration: Configuration,
+    fail_level: Severity,
+    *,
+    jobs: int = 1,
+    progress: Callable[[str], None] | None = None,
+) -> Iterator[Verdict]:
+    """A verdict for each request, in order; with several jobs in as many processes.
+
+    Raises UsageError as `judge` does.
+    """
+    say = progress or (lambda line: None)
+    if jobs <= 1 or len(requests) <= 1:
+        for request in requests:
+            say(f"reading {request.model}")
+            yield _verdict(request.judge(), configuration, fail_level)
+        return
+    with ProcessPoolExecutor(min(jobs, len(requests), os.cpu_count() or 1)) as pool:
+        for k, judgement in enumerate(pool.map(Request.judge, requests), 1):
+            say(f"{k} of {len(requests)}: {judgement.file}")
+            yield _verdict(judgement, configuration, fail_level)
+
+
+def _verdict(j: Judgement, configuration: Configuration, fail_level: Severity) -> Verdict:
+    return Verdict(j, configuration.sort(j.findings, j.file), fail_level)
+
+
+@dataclass(frozen=True, eq=False)
+class PairVerdict:
+    """Whether two models agree.
+
+    comparison : None where their arms cannot be compared;  findings : as the configuration sorts them
+    """
+
+    label: str
+    comparison: PairValidation | None
+    findings: Sorted
+
+    @property
+    def passed(self) -> bool:
+        """Whether nothing is open and every difference is explained."""
+        explained = self.comparison is None or self.comparison.explained
+        return explained and not self.findings.open
+
+
+def compare_verdicts(
+    a: Verdict, b: Verdict, configuration: Configuration, samples: int, seed: int
+) -> PairVerdict | None:
+    """Whether two models need the same torques; None where one of them has no arm."""
+    from .._engines.adapters.pinocchio import PinocchioEngine
+
+    first, second = a.judgement, b.judgement
+    if first.arm is None or second.arm is None:
+        return None
+    arm_a, arm_b = labelled([first.arm, second.arm])
+    label = f"{arm_a.label} and {arm_b.label}"
+    try:
+        pair = validate_pair(arm_a, arm_b, PinocchioEngine(arm_b), samples, seed)
+    except (InputError, EngineError) as error:
+        found = [finding_of("CMP002", label, str(error))]
+        return PairVerdict(label, None, configuration.sort(found, label))
+    if pair.difference.agrees:
+        return PairVerdict(label, pair, configuration.sort([], label))
+    torques = pair.difference.torques
+    joint = int(torques.maximum.argmax())
+    largest = float(torques.maximum[joint])
+    finding = finding_of(
+        "CMP001",
+        label,
+        f"torques differ by up to {largest:.4g} N m at joint {joint + 1} over {samples:,} random "
+        f"states (RMS {float(torques.rms[joint]):.4g} N m)",
+        value=largest,
+        bound=0.0,
+        unit="N m",
+        effect=largest,
+        fix=f"ur5check diff {first.file} {second.file} says which numbers differ",
+    )
+    return PairVerdict(label, pair, configuration.sort([finding], label))
