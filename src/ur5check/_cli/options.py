@@ -49,12 +49,12 @@ def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True)
     parser.add_argument("--quiet", action="store_true", help="show no progress on stderr")
 
 
-def add_state_options(parser: argparse.ArgumentParser) -> None:
+def add_state_options(parser: argparse.ArgumentParser, *, samples: int | None = 10_000) -> None:
     """--samples, --seed, --gravity."""
     parser.add_argument(
         "--samples",
         type=int,
-        default=10_000,
+        default=samples,
         metavar="N",
         help="number of random states (default: 10000)",
     )

@@ -2,7 +2,7 @@
 its place and what to do.  Then check the computation of each arm against Pinocchio.
 
 Two models are also compared.  Many files, or folders, give a table.  Without a model the paper's
-tables and its appendix URDF are judged, with their known differences accepted (models/ur5check.toml).
+tables and its appendix URDF are judged; models/ur5check.toml accepts their known difference.
 
 Exit code 0 if all pass, 1 if there is a finding at or above --fail-level, 2 for wrong usage.
 """
@@ -115,7 +115,8 @@ def run(args: argparse.Namespace) -> int:
     pair = None
     if len(results) == 2:
         progress(args.quiet, f"comparing {models[0]} with {models[1]}")
-        pair = compare_verdicts(*results, configuration, requests[0].samples, args.seed)
+        a, b = results
+        pair = compare_verdicts(a, b, configuration, requests[0].samples, args.seed)
     command = command_line("validate", args, tuple(args.models))
     emit(_text(args, results, pair, configuration, command), args.output)
     return 0 if all(v.passed for v in results) and (pair is None or pair.passed) else 1
@@ -163,7 +164,9 @@ def _ends(args: argparse.Namespace, count: int) -> list[tuple[str | None, str | 
         for side in ("", "_a", "_b"):
             if getattr(args, end + side) is not None and side not in sides:
                 option = f"--{end}{side.replace('_', '-')}"
-                instead = {1: f"--{end}", 2: f"--{end}-a or --{end}-b"}.get(count, "one model a call")
+                instead = {1: f"--{end}", 2: f"--{end}-a or --{end}-b"}.get(
+                    count, "one model a call"
+                )
                 raise UsageError(
                     f"{option} has no meaning with {count} model{'s' if count > 1 else ''}; "
                     f"use {instead}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .._errors import ModelError, UsageError
@@ -76,13 +76,23 @@ def read_robot(
     except OSError as error:
         raise UsageError(f"{path} cannot be read: {error.strerror}") from None
     here = _File(path, label, data, known)
+    reading = _read(here, suffix, arguments or {}, base, tip)
+    if entry is None or reading.robot is None:
+        return reading
+    return replace(reading, robot=replace(reading.robot, name=entry.name))
+
+
+def _read(
+    here: _File, suffix: str, arguments: Mapping[str, str], base: str | None, tip: str | None
+) -> RobotReading:
+    path, label, data = here.path, here.label, here.data
     if suffix == ".xacro":
-        return _xacro(here, arguments or {})
+        return _xacro(here, arguments)
     if suffix in (".toml", ".sdf", ".mjcf") or (suffix == ".xml" and b"<mujoco" in data):
         return _one_chain(here, base, tip)
     if suffix in (".urdf", ".xml"):
         if b"xmlns:xacro" in data and b"<xacro:" in data:
-            return _xacro(here, arguments or {})
+            return _xacro(here, arguments)
         return _urdf(here, data, label, "urdf", ((label, hashlib.sha256(data).hexdigest()),))
     raise UsageError(f"{path} is no kind of file that a robot is read from")
 

@@ -14,26 +14,58 @@ import numpy as np
 from .._finding import Finding
 from .._validation.configuration import Sorted
 from .._validation.judgement import Judgement
+from .._validation.verdict import PairVerdict, Verdict
 
-__all__ = ["LINES", "WIDTH", "summary_table", "verdict_text"]
+__all__ = ["LINES", "WIDTH", "verdict_text", "verdicts_text"]
 
 LINES, WIDTH = 24, 80
 
 
-def verdict_text(
-    j: Judgement, s: Sorted, passed: bool, *, lines: int | None = LINES, width: int = WIDTH
+def verdicts_text(
+    results: Sequence[Verdict], pair: PairVerdict | None, *, full: bool = False
 ) -> str:
-    """One file's verdict.
+    """One model: its first screen.  Two: both, shorter, and whether they agree.  Many: a table.
 
-    s : the findings as the project's configuration sorts them
-    lines : how many at most; None for all findings
+    full : all findings of every file
     """
-    head = [_headline(j, s, passed, width)]
+    if len(results) > 2:
+        table = _summary_table(results)
+        if not full:
+            return table
+        return "\n".join([*(verdict_text(v, lines=None) for v in results), table])
+    lines = None if full else LINES // len(results) - (1 if pair else 0)
+    texts = [verdict_text(v, lines=lines) for v in results]
+    if pair is not None:
+        texts.append("\n".join(_pair_lines(pair)) + "\n")
+    return "\n".join(texts) if full else "".join(texts)
+
+
+def verdict_text(v: Verdict, *, lines: int | None = LINES, width: int = WIDTH) -> str:
+    """One file's verdict.  lines : how many at most; None for all findings."""
+    j, s = v.judgement, v.findings
+    head = [_headline(j, s, v.passed, width)]
     foot = [line for text in _facts(j, s) for line in _wrapped(text, width, "           ")]
     if not s.open:
         return "\n".join([*head, *foot]) + "\n"
-    room = None if lines is None else lines - len(head) - len(foot) - 2
-    return "\n".join([*head, "", *_findings(s.open, room, width), "", *foot]) + "\n"
+    tight = lines is not None and lines < LINES
+    left = None if lines is None else max(lines - len(head) - len(foot) - (0 if tight else 2), 2)
+    gap = [] if tight else [""]
+    return "\n".join([*head, *gap, *_findings(s.open, left, width), *gap, *foot]) + "\n"
+
+
+def _pair_lines(pair: PairVerdict) -> list[str]:
+    for f, acceptance in pair.findings.accepted:
+        return _wrapped(
+            f"ACCEPTED  {pair.label}: {f.message}; {acceptance.reason}", WIDTH, "          "
+        )
+    if pair.passed:
+        return [f"AGREE {pair.label}: the same torques"]
+    for f in pair.findings.open:
+        return [
+            *_wrapped(f"DIFFER {pair.label}: {f.message}", WIDTH, "      "),
+            f"      fix: {f.fix}",
+        ]
+    return [f"DIFFER {pair.label}: the difference is not explained"]
 
 
 def _headline(j: Judgement, s: Sorted, passed: bool, width: int) -> str:
@@ -49,13 +81,13 @@ def _headline(j: Judgement, s: Sorted, passed: bool, width: int) -> str:
     return text
 
 
-def _findings(findings: Sequence[Finding], room: int | None, width: int) -> list[str]:
+def _findings(findings: Sequence[Finding], most: int | None, width: int) -> list[str]:
     shown: list[str] = []
     for k, finding in enumerate(findings):
-        block = _finding(finding, width, short=room is not None)
+        block = _finding(finding, width, short=most is not None)
         left = len(findings) - k
         needed = len(block) + (1 if left > 1 else 0)
-        if room is not None and len(shown) + needed > room:
+        if most is not None and len(shown) + needed > most:
             shown.append(f"… and {left} more (--full shows all)")
             break
         shown += block
@@ -122,17 +154,18 @@ def _wrapped(text: str, width: int, indent: str) -> list[str]:
     )
 
 
-def summary_table(results: Sequence[tuple[Judgement, Sorted, bool]], width: int = WIDTH) -> str:
+def _summary_table(results: Sequence[Verdict], width: int = WIDTH) -> str:
     """A row a file, and how many passed."""
     rows = []
-    for j, s, passed in results:
-        counts = [sum(f.severity == word for f in s.open) for word in ("error", "warning", "note")]
-        first = next((f"{f.rule} {f.subject}" for f in s.open if f.severity == "error"), "")
+    for v in results:
+        j, found = v.judgement, v.findings.open
+        counts = [sum(f.severity == word for f in found) for word in ("error", "warning", "note")]
+        first = next((f"{f.rule} {f.subject}" for f in found if f.severity == "error"), "")
         mass = "" if j.robot is None else f"{j.robot.mass:.4g}"
         name = j.file if len(j.file) <= 34 else f"…{j.file[-33:]}"
-        row = f"{'PASS' if passed else 'FAIL'}  {name:34} " + "".join(f"{n:4}" for n in counts)
+        row = f"{'PASS' if v.passed else 'FAIL'}  {name:34} " + "".join(f"{n:4}" for n in counts)
         rows.append(f"{row} {mass:>8}  {first}"[:width].rstrip())
     head = f"      {'file':34}  err warn note       kg  first error"
-    failed = sum(not passed for *_, passed in results)
+    failed = sum(not v.passed for v in results)
     total = f"{len(results)} files: {len(results) - failed} pass, {failed} fail"
     return "\n".join([head, *rows, total]) + "\n"

@@ -90,16 +90,13 @@ class RuleSubject:
 
     @cached_property
     def _own_length(self) -> Mapping[str, float]:
-        """How far each link reaches from its frame to what it carries [m]."""
-        return {
-            link.name: max(
-                (float(np.linalg.norm(joint.origin.p)) for joint in self.robot.below[link.name]),
-                default=0.0,
-            )
-            if link.name in self.moving
-            else 0.0
-            for link in self.robot.links
-        }
+        """How far each moving link reaches: to its frame, and on to what it carries."""
+        lengths = dict.fromkeys((link.name for link in self.robot.links), 0.0)
+        for name in self.moving:
+            before = float(np.linalg.norm(self.robot.above[name].carried.p))
+            beyond = [float(np.linalg.norm(one.origin.p)) for one in self.robot.below[name]]
+            lengths[name] = max([before, *beyond])
+        return lengths
 
     def length(self, link: str) -> float:
         """A link's length from joint to joint, at least what such links have in this robot [m].

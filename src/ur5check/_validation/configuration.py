@@ -38,7 +38,7 @@ _NAMES = ("ur5check.toml", "pyproject.toml")
 
 @dataclass(frozen=True)
 class Acceptance:
-    """A finding that stays, and why.  file : a pattern;  until : the last day on which it counts."""
+    """A finding that stays, and why.  file : a pattern;  until : its last day."""
 
     rule: str
     subject: str
@@ -76,13 +76,26 @@ class Configuration:
     accepted: tuple[Acceptance, ...] = ()
 
     def sort(
-        self, findings: Sequence[Finding], file: str, today: datetime.date | None = None
+        self,
+        findings: Sequence[Finding],
+        file: str,
+        *,
+        pair: bool = False,
+        today: datetime.date | None = None,
     ) -> Sorted:
-        """Which findings count, which are accepted, and which acceptances are stale."""
+        """Which findings count, which are accepted, and which acceptances are stale.
+
+        file : that they are about;  pair : whether they are about two models (family CMP)
+        """
         day = today or datetime.date.today()
         ignored = (
             *self.ignore,
-            *(rule for pattern, rules in self.per_file if _matches(file, pattern) for rule in rules),
+            *(
+                rule
+                for pattern, rules in self.per_file
+                if _matches(file, pattern)
+                for rule in rules
+            ),
         )
         kept, accepted = [], []
         used: set[Acceptance] = set()
@@ -97,7 +110,11 @@ class Configuration:
                 accepted.append((finding, covering[0]))
             else:
                 kept.append(finding)
-        stale = [a for a in self.accepted if a not in used and _matches(file, a.file)]
+        stale = [
+            a
+            for a in self.accepted
+            if a not in used and _matches(file, a.file) and a.rule.startswith("CMP") == pair
+        ]
         return Sorted(tuple(kept), tuple(accepted), tuple(stale))
 
 
@@ -109,7 +126,9 @@ def find_configuration(start: Path) -> Configuration:
     for folder in (start.resolve(), *start.resolve().parents):
         for name in _NAMES:
             file = folder / name
-            if file.is_file() and (name != "pyproject.toml" or b"[tool.ur5check" in file.read_bytes()):
+            if file.is_file() and (
+                name != "pyproject.toml" or b"[tool.ur5check" in file.read_bytes()
+            ):
                 return read_configuration(file)
     return Configuration()
 
@@ -136,7 +155,9 @@ def read_configuration(file: Path) -> Configuration:
         cast("Severity", level),
         _words(file, "select", table.get("select", [])),
         _words(file, "ignore", table.get("ignore", [])),
-        tuple((name, _words(file, f"per-file {name!r}", rules)) for name, rules in per_file.items()),
+        tuple(
+            (name, _words(file, f"per-file {name!r}", rules)) for name, rules in per_file.items()
+        ),
         tuple(_acceptance(file, entry) for entry in table.get("accepted", [])),
     )
 
@@ -156,10 +177,15 @@ def _acceptance(file: Path, entry: object) -> Acceptance:
     if not isinstance(entry, Mapping):
         raise UsageError(f"{file}: an entry of accepted takes rule, subject and reason")
     unknown = entry.keys() - {"rule", "subject", "reason", "file", "until"}
-    texts = {key: entry.get(key, "*" if key == "file" else "") for key in ("rule", "subject", "reason", "file")}
+    texts = {
+        key: entry.get(key, "*" if key == "file" else "")
+        for key in ("rule", "subject", "reason", "file")
+    }
     until = entry.get("until")
     if unknown or not all(isinstance(text, str) for text in texts.values()) or not texts["rule"]:
-        raise UsageError(f"{file}: an entry of accepted takes rule, subject, reason, file and until")
+        raise UsageError(
+            f"{file}: an entry of accepted takes rule, subject, reason, file and until"
+        )
     if not texts["reason"].strip():
         raise UsageError(f"{file}: {texts['rule']} is accepted without a reason; give one")
     if until is not None and type(until) is not datetime.date:
@@ -169,6 +195,6 @@ def _acceptance(file: Path, entry: object) -> Acceptance:
 
 
 def _matches(file: str, pattern: str) -> bool:
-    return fnmatch(file, pattern) or fnmatch(Path(file).name, pattern) or fnmatch(file, f"*/{pattern}")
-
-
+    return (
+        fnmatch(file, pattern) or fnmatch(Path(file).name, pattern) or fnmatch(file, f"*/{pattern}")
+    )

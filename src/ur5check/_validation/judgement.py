@@ -37,10 +37,12 @@ _NO_DYNAMICS = {"INE101", "INE102", "INE104", "INE105", "INE106", "JNT101", "JNT
 class Judgement:
     """What is known of one model.
 
+    model : as it was given;  file : what reports call it
     robot : None where the file describes none;  arm : None where there is none, `arm_note` says why
     laws : of the computation on `arm`; None where it was not checked, `laws_note` says why
     """
 
+    model: str
     file: str
     robot: Robot | None
     findings: tuple[Finding, ...]
@@ -103,7 +105,7 @@ def judge(
     if reading.robot is None:
         none = "the file describes no robot"
         return Judgement(
-            reading.file, None, reading.findings, None, none, None, none, samples, seed
+            str(model), reading.file, None, reading.findings, None, none, None, none, samples, seed
         )
     arm, arm_note = _arm(reading, base, tip, hold)
     reader = MeshReader(reading.folder, reading.packages) if meshes else None
@@ -113,6 +115,7 @@ def judge(
     findings = tuple(check_rules(subject, reading.findings))
     laws, laws_note = _laws(arm, findings, samples, seed)
     return Judgement(
+        str(model),
         reading.file,
         reading.robot,
         findings,

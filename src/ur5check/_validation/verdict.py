@@ -120,7 +120,8 @@ def _verdict(j: Judgement, configuration: Configuration, fail_level: Severity) -
 class PairVerdict:
     """Whether two models agree.
 
-    comparison : None where their arms cannot be compared;  findings : as the configuration sorts them
+    comparison : None where their arms cannot be compared
+    findings : as the configuration sorts them
     """
 
     label: str
@@ -130,7 +131,7 @@ class PairVerdict:
     @property
     def passed(self) -> bool:
         """Whether nothing is open and every difference is explained."""
-        explained = self.comparison is None or self.comparison.explained
+        explained = self.comparison is None or self.comparison.accounted
         return explained and not self.findings.open
 
 
@@ -149,9 +150,9 @@ def compare_verdicts(
         pair = validate_pair(arm_a, arm_b, PinocchioEngine(arm_b), samples, seed)
     except (InputError, EngineError) as error:
         found = [finding_of("CMP002", label, str(error))]
-        return PairVerdict(label, None, configuration.sort(found, label))
+        return PairVerdict(label, None, configuration.sort(found, label, pair=True))
     if pair.difference.agrees:
-        return PairVerdict(label, pair, configuration.sort([], label))
+        return PairVerdict(label, pair, configuration.sort([], label, pair=True))
     torques = pair.difference.torques
     joint = int(torques.maximum.argmax())
     largest = float(torques.maximum[joint])
@@ -164,6 +165,6 @@ def compare_verdicts(
         bound=0.0,
         unit="N m",
         effect=largest,
-        fix=f"ur5check diff {first.file} {second.file} says which numbers differ",
+        fix=f"ur5check diff {first.model} {second.model} says which numbers differ",
     )
-    return PairVerdict(label, pair, configuration.sort([finding], label))
+    return PairVerdict(label, pair, configuration.sort([finding], label, pair=True))

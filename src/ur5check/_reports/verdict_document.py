@@ -1,0 +1,66 @@
+"""`validate` as a document: every finding of every model, then the tables of the computation."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .._finding import Finding
+from .._validation.validation import Validation
+from .._validation.verdict import PairVerdict, Verdict
+from .document import Column, Document, Row, Section, Table
+from .document import Verdict as Headline
+from .provenance import Provenance
+from .validate_document import validate_document
+
+__all__ = ["verdict_document"]
+
+
+def verdict_document(
+    results: Sequence[Verdict],
+    pair: PairVerdict | None,
+    laws: Validation | None,
+    *,
+    command: str = "",
+) -> Document:
+    """The report of `ur5check validate`.  laws : of the arms that were computed"""
+    failed = sum(not v.passed for v in results)
+    good = not failed and (pair is None or pair.passed)
+    text = f"{len(results) - failed} of {len(results)} models pass."
+    if pair is not None:
+        text += f" {pair.label}: {'agree or accepted' if pair.passed else 'DIFFER'}."
+    sections = [_section(v) for v in results]
+    inputs = tuple(
+        one for v in results if v.judgement.robot is not None for one in v.judgement.robot.inputs
+    )
+    first = results[0].judgement
+    if laws is not None:
+        whole = validate_document(laws, command=command)
+        sections += whole.sections
+    return Document(
+        "Verdict on " + ", ".join(v.judgement.model for v in results[:4]),
+        Headline("PASS" if good else "FAIL", text, good),
+        (),
+        tuple(sections),
+        Provenance(tuple(dict.fromkeys(inputs)), first.seed, first.samples, command),
+    )
+
+
+def _section(v: Verdict) -> Section:
+    j, s = v.judgement, v.findings
+    lines = [f"{'PASS' if v.passed else 'FAIL'}: {len(s.open)} findings."]
+    if j.robot is not None:
+        lines.append(f"{j.robot.name}: {len(j.robot.links)} links, {j.robot.mass:.4g} kg.")
+    if j.arm_note or (j.laws is None and j.laws_note):
+        lines.append(f"Not computed: {j.arm_note or j.laws_note}.")
+    lines += [f"Accepted: {f.rule} {f.subject}: {a.reason}" for f, a in s.accepted]
+    lines += [f"Stale: {a.rule} {a.subject} is accepted but does not occur." for a in s.stale]
+    columns = tuple(
+        Column(title) for title in ("severity", "rule", "place", "subject", "finding", "fix")
+    )
+    rows = tuple(Row(_cells(f), bad=f.severity == "error") for f in s.open)
+    return Section(j.file, tuple(lines), (Table(columns, rows),) if rows else ())
+
+
+def _cells(f: Finding) -> tuple[str, ...]:
+    line = f"{f.place.line}:{f.place.column}" if f.place.line else ""
+    return f.severity, f.rule, line, f.subject, f.message, f.fix
