@@ -11,6 +11,7 @@ from ur5check._io.robot_arm import arm_of_robot
 from ur5check._io.robot_loading import read_robot
 from ur5check._io.ros_packages import example_robot_data
 from ur5check._rules.examples import joint, link, robot
+from ur5check._validation.judgement import judge
 
 ROBOTS = example_robot_data() / "robots"
 
@@ -106,3 +107,10 @@ def test_it_is_the_arm_that_the_strict_reader_gives():
     ours, strict = arm_of(file), ur5check.load(file)
     np.testing.assert_array_equal(ours.parameters(), strict.parameters())
     np.testing.assert_array_equal(ours.base.matrix(), strict.base.matrix())
+
+
+def test_pinocchio_holds_a_finger_where_the_arm_has_it(tmp_path):
+    judged = judge(_write(tmp_path, *FINGERS), hold={"left": 0.05}, samples=20)
+    assert judged.arm.source.held == (("left", 0.05),)
+    assert judged.laws is not None
+    assert judged.laws_hold

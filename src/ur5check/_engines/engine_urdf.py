@@ -22,8 +22,14 @@ __all__ = ["parsed", "root_link", "text_for_engines", "written"]
 def text_for_engines(arm: SerialArm) -> str:
     """The arm's URDF without meshes, joints beside the arm fixed.
 
-    Raises EngineError if a `<mimic>` places a joint beside the arm away from zero.
+    Raises EngineError if a joint beside the arm is held away from zero.
     """
+    if arm.source.held:
+        name, value = arm.source.held[0]
+        raise EngineError(
+            f"joint {name!r} beside the arm is held at {value:g}, which no engine can be given; "
+            "choose a --tip without it"
+        )
     root = parsed(arm)
     for link in root.iterchildren("link"):
         for shape in [*link.findall("visual"), *link.findall("collision")]:

@@ -80,6 +80,7 @@ def arm_of_robot(
             urdf=urdf,
             base=chain.base,
             tip=chain.tip,
+            held=description.held_beside(frozenset(moving)),
             notes=(*notes, *parts.notes),
         ),
     )
@@ -142,6 +143,12 @@ class _Description:
             )
             motion = Joint(joint.name, joint.axis, kind).motion(value)
         return joint.origin @ motion @ joint.carried
+
+    def held_beside(self, moving: frozenset[str]) -> tuple[tuple[str, float], ...]:
+        """Joints that are not the arm's and do not stand at zero, and where they are held."""
+        beside = (j for j in self.robot.joints if j.moves and j.name not in moving)
+        values = ((joint.name, self._held_at(joint, moving, ())) for joint in beside)
+        return tuple((name, value) for name, value in values if value != 0.0)
 
     def _held_at(self, joint: RobotJoint, moving: frozenset[str], seen: tuple[str, ...]) -> float:
         """Where a joint beside the arm is held: as asked, where its <mimic> puts it, or at 0."""

@@ -176,6 +176,7 @@ class Source:
     model: Any = None
     base: str = "base"
     tip: str = "tool"
+    held: tuple[tuple[str, float], ...] = ()
     notes: tuple[str, ...] = ()
 
     def as_value(self) -> Source:

@@ -174,7 +174,16 @@ def _moving_groups(s: RuleSubject) -> Iterator[tuple[RobotLink, list[str]]]:
             yield s.robot.link[one.child], list(s.robot.rigid(one.child))
 
 
+def _kinematic_only(s: RuleSubject) -> Iterator[Finding]:
+    if s.moving and all(link.inertial is None for link in s.robot.links):
+        yield finding_of(
+            "INE116", "robot", "no link has an <inertial>: this file describes motion only"
+        )
+
+
 def _without_inertial(s: RuleSubject) -> Iterator[Finding]:
+    if all(link.inertial is None for link in s.robot.links):
+        return  # which is one finding, not one a link
     for body, group in _moving_groups(s):
         if all(s.robot.link[name].inertial is None for name in group):
             carries = any(joint.moves for name in group for joint in s.robot.below[name])
@@ -232,6 +241,8 @@ def _point_mass(s: RuleSubject) -> Iterator[Finding]:
 def _shape_without_mass(s: RuleSubject) -> Iterator[Finding]:
     for body in s.robot.links:
         solid = any(shape.kind == "collision" for shape in body.shapes)
+        if all(link.inertial is None for link in s.robot.links):
+            return
         if not solid or body.name not in s.moving:
             continue
         if body.inertial is None or (body.inertial.readable and body.inertial.mass == 0.0):
@@ -566,7 +577,7 @@ RULES = (
         "a link that moves has an inertia, itself or by what is fixed to it",
         "URDF leaves a link without <inertial> undefined.",
         "DART gives it 1 kg, MuJoCo the weight of its collision shape, others nothing: M singular",
-        bad=robot(joint(), '<link name="arm"/>'), good=_GOOD,
+        bad=robot(joint(), link(), _WAY, '<link name="tip"/>'), good=_GOOD,
         fix="write its <inertial>",
         check=_without_inertial,
     ),
@@ -676,5 +687,14 @@ RULES = (
         good=robot(joint(), link(), _WAY, _TIP),
         fix="check the unit of the mass",
         check=_heavier_than_neighbours,
+    ),
+    Rule(
+        "INE116", "no-inertias", "warning",
+        "the robot has inertias at all",
+        "Descriptions for planning and drawing leave dynamics out; engines invent what is missing.",
+        "DART gives each link 1 kg, MuJoCo the weight of its shape; others compute no torques",
+        bad=robot(joint(), '<link name="arm"/>'), good=_GOOD,
+        fix="use it for kinematics only, or add <inertial> to every link that moves",
+        check=_kinematic_only,
     ),
 )  # fmt: skip

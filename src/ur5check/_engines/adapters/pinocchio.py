@@ -267,7 +267,7 @@ def _parse(urdf: str, name: str) -> Any:
 
 
 def _only_these_joints(model: Any, arm: SerialArm) -> Any:
-    """`model` with every joint that is not the arm's locked at zero; always a copy."""
+    """`model` with every joint that is not the arm's locked where it is held; always a copy."""
     names = list(model.names)[1:]
     missing = [name for name in arm.joint_names if name not in names]
     if missing:
@@ -275,8 +275,13 @@ def _only_these_joints(model: Any, arm: SerialArm) -> Any:
     others = [model.getJointId(name) for name in names if name not in arm.joint_names]
     if not others:
         return model.copy()
+    posture = pin.neutral(model)
+    for name, value in arm.source.held:
+        joint = model.joints[model.getJointId(name)]
+        held = [value] if joint.nq == 1 else [np.cos(value), np.sin(value)]
+        posture[joint.idx_q : joint.idx_q + joint.nq] = held
     try:
-        return pin.buildReducedModel(model, others, pin.neutral(model))
+        return pin.buildReducedModel(model, others, posture)
     except (ValueError, RuntimeError) as error:
         raise EngineError(
             f"Pinocchio cannot lock the joints of {arm.name!r} that are not on the chain: {error}"
