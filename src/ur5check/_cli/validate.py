@@ -195,50 +195,29 @@ def _text(
     configuration: Configuration,
     command: str,
 ) -> str:
-    form = format_of(args.format, args.output)
-    if form == "text":
-        from .._reports.verdict_text import verdicts_text
-
-        whole = args.full or args.output is not None
-        text = verdicts_text(results, pair, full=whole)
-        if not whole:
-            return text
-        tables = _validation(args, results, pair)
-        return text if tables is None else text + "\n" + _tables(args, tables, command)
+    from .._reports.validate_json import validate_json
     from .._reports.verdict_document import verdict_document
-    from .._reports.verdict_json import verdict_json
+    from .._reports.verdict_text import verdicts_text
 
-    return rendered(
+    laws = _laws(args, results, pair)
+    form = format_of(args.format, args.output)
+    if form.name == "text" and not args.full and args.output is None:
+        return verdicts_text(results, pair)
+    tables = rendered(
         form,
         args.output,
-        document=lambda: verdict_document(
-            results, pair, _validation(args, results, pair), command=command
-        ),
-        report=lambda: verdict_json(
-            results, pair, _validation(args, results, pair), configuration, command=command
+        document=lambda: verdict_document(results, pair, laws, command=command),
+        report=lambda: validate_json(
+            laws, verdicts=results, pair=pair, configuration=configuration.path, command=command
         ),
     )
+    return f"{verdicts_text(results, pair, full=True)}\n{tables}" if form.name == "text" else tables
 
 
-def _validation(
-    args: argparse.Namespace, results: list[Verdict], pair: PairVerdict | None
-) -> Validation | None:
-    """The laws of every arm that was computed, as one result; None where there is none."""
+def _laws(args: argparse.Namespace, results: list[Verdict], pair: PairVerdict | None) -> Validation:
+    """The laws of every arm that was computed, as one result."""
     from .._validation.validation import Validation
 
-    checked = [v.judgement.laws for v in results if v.judgement.laws is not None]
-    if not checked:
-        return None
+    checked = tuple(v.judgement.laws for v in results if v.judgement.laws is not None)
     pairs = () if pair is None or pair.comparison is None else (pair.comparison,)
-    return Validation(tuple(checked), pairs, results[0].judgement.samples, args.seed)
-
-
-def _tables(args: argparse.Namespace, validation: Validation, command: str) -> str:
-    from .._reports.validate_document import validate_document
-
-    return rendered(
-        "text",
-        args.output,
-        document=lambda: validate_document(validation, command=command),
-        report=dict,
-    )
+    return Validation(checked, pairs, results[0].judgement.samples, args.seed)

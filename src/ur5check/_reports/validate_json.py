@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 import msgspec
 
 from .._validation.law import Outcome
 from .._validation.validation import Validation
+from .._validation.verdict import PairVerdict, Verdict
 from .diff_json import Comparison, comparison_value
 from .json_report import Report, head
 from .json_values import Model, Number, State, model_value, state
 from .validate_summary import summarize
+from .verdict_json import Agreement, FileVerdict, agreement_value, file_verdict
 
 __all__ = ["ValidateReport", "validate_json"]
 
@@ -52,8 +55,13 @@ class CheckValue(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class ValidateReport(Report, frozen=True, kw_only=True, tag="ur5check.validate/2"):
-    """Laws, bodies and differences of some models."""
+    """Verdicts on files, whether two of them agree; laws, bodies and differences of their arms."""
 
+    passed: bool
+    fail_level: Literal["error", "warning", "note"]
+    configuration: str | None
+    files: list[FileVerdict]
+    agreement: Agreement | None
     verdict: ValidateVerdict
     summary: list[str]
     models: list[ValidatedModel]
@@ -61,18 +69,36 @@ class ValidateReport(Report, frozen=True, kw_only=True, tag="ur5check.validate/2
     differences: list[Comparison]
 
 
-def validate_json(v: Validation, *, command: str = "") -> ValidateReport:
-    """The report of `ur5check validate`."""
+def validate_json(
+    v: Validation,
+    *,
+    verdicts: Sequence[Verdict] = (),
+    pair: PairVerdict | None = None,
+    configuration: str = "",
+    command: str = "",
+) -> ValidateReport:
+    """The report of `ur5check validate`.
+
+    v : the laws of the arms that were computed;  configuration : the file of what is accepted
+    """
     arms = [model.arm for model in v.models]
+    robots = [x.judgement.robot for x in verdicts if x.judgement.robot is not None]
+    inputs = dict.fromkeys(one for robot in robots for one in robot.inputs)
     return ValidateReport(
-        **head(arms, command, seed=v.seed, samples=v.samples),
+        **head(() if inputs else arms, command, seed=v.seed, samples=v.samples, files=inputs),
+        passed=all(x.passed for x in verdicts)
+        and (v.passed if pair is None else pair.passed and v.algorithm_right),
+        fail_level=verdicts[0].fail_level if verdicts else "error",
+        configuration=configuration or None,
+        files=[file_verdict(x) for x in verdicts],
+        agreement=None if pair is None else agreement_value(pair),
         verdict=ValidateVerdict(
             passed=v.passed,
             algorithm=v.algorithm_right,
             bodies=v.bodies_possible,
             explained=v.explained,
         ),
-        summary=list(summarize(v)),
+        summary=list(summarize(v)) if v.models else [],
         models=[
             ValidatedModel(
                 model=model_value(model.arm), reference=model.reference, route=model.route

@@ -18,7 +18,7 @@ __all__ = ["verdict_document"]
 def verdict_document(
     results: Sequence[Verdict],
     pair: PairVerdict | None,
-    laws: Validation | None,
+    laws: Validation,
     *,
     command: str = "",
 ) -> Document:
@@ -33,7 +33,7 @@ def verdict_document(
         one for v in results if v.judgement.robot is not None for one in v.judgement.robot.inputs
     )
     first = results[0].judgement
-    if laws is not None:
+    if laws.models:
         whole = validate_document(laws, command=command)
         sections += whole.sections
     return Document(

@@ -1,99 +1,179 @@
-"""`validate` as plain values for JSON: the verdict on every file, then the computation."""
+"""Verdicts and findings as JSON: a part of the report of `ur5check validate`."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from typing import Literal
+
+import msgspec
 
 from .._finding import Finding
-from .._validation.configuration import Configuration, Sorted
-from .._validation.validation import Validation
+from .._validation.configuration import Sorted
+from .._validation.judgement import Judgement
 from .._validation.verdict import PairVerdict, Verdict
-from .diff_json import validate_json
-from .json_head import json_head
-from .json_values import Report, strict
+from .json_values import Number
 
-__all__ = ["finding_value", "verdict_json"]
+__all__ = [
+    "Agreement",
+    "FileVerdict",
+    "FindingValue",
+    "agreement_value",
+    "file_verdict",
+    "finding_value",
+]
 
 
-def verdict_json(
-    results: Sequence[Verdict],
-    pair: PairVerdict | None,
-    laws: Validation | None,
-    configuration: Configuration,
-    *,
-    command: str = "",
-) -> Report:
-    """The report of `ur5check validate`.  laws : of the arms that were computed"""
-    first = results[0].judgement
-    head = json_head("verdict", (), command, first.seed, first.samples)
-    inputs = [
-        one for v in results if v.judgement.robot is not None for one in v.judgement.robot.inputs
-    ]
-    head["inputs"] = [{"name": n, "sha256": digest} for n, digest in dict.fromkeys(inputs)]
-    return strict(
-        {
-            **head,
-            "passed": all(v.passed for v in results) and (pair is None or pair.passed),
-            "fail_level": results[0].fail_level,
-            "configuration": configuration.path or None,
-            "files": [_file(v) for v in results],
-            "pair": None if pair is None else _pair(pair),
-            "computation": None if laws is None else validate_json(laws, command=command),
-        }
+class PlaceValue(msgspec.Struct, frozen=True, kw_only=True):
+    """Where something is written; line and column from 1, null where unknown."""
+
+    file: str
+    line: int | None
+    column: int | None
+    element: str
+
+
+class FindingValue(msgspec.Struct, frozen=True, kw_only=True):
+    """One thing that is wrong (docs/rules.md)."""
+
+    rule: str
+    severity: Literal["error", "warning", "note"]
+    subject: str
+    message: str
+    places: list[PlaceValue]
+    value: Number | str | None
+    bound: Number | str | None
+    unit: str
+    consequence: str
+    fix: str
+    effect: Number | None
+
+
+class AcceptedFinding(msgspec.Struct, frozen=True, kw_only=True):
+    """A finding that the project accepts."""
+
+    finding: FindingValue
+    reason: str
+
+
+class StaleAcceptance(msgspec.Struct, frozen=True, kw_only=True):
+    """An acceptance that covers no finding."""
+
+    rule: str
+    subject: str
+    reason: str
+
+
+class RobotValue(msgspec.Struct, frozen=True, kw_only=True):
+    """What the file describes; mass of all links [kg]."""
+
+    name: str
+    links: int
+    moving_joints: int
+    mass: Number
+
+
+class ArmValue(msgspec.Struct, frozen=True, kw_only=True):
+    """The chain that was taken for the arm."""
+
+    base: str
+    tip: str
+    joints: list[str]
+
+
+class FileVerdict(msgspec.Struct, frozen=True, kw_only=True):
+    """The verdict on one file."""
+
+    model: str
+    file: str
+    passed: bool
+    robot: RobotValue | None
+    arm: ArmValue | None
+    arm_note: str | None
+    laws_hold: bool | None
+    laws_note: str | None
+    findings: list[FindingValue]
+    accepted: list[AcceptedFinding]
+    stale: list[StaleAcceptance]
+
+
+class Agreement(msgspec.Struct, frozen=True, kw_only=True):
+    """Whether two models need the same torques."""
+
+    label: str
+    passed: bool
+    findings: list[FindingValue]
+    accepted: list[AcceptedFinding]
+    stale: list[StaleAcceptance]
+
+
+def file_verdict(v: Verdict) -> FileVerdict:
+    """The verdict on one file."""
+    j, s = v.judgement, v.findings
+    return FileVerdict(
+        model=j.model,
+        file=j.file,
+        passed=v.passed,
+        robot=_robot(j),
+        arm=_arm(j),
+        arm_note=j.arm_note or None,
+        laws_hold=None if j.laws is None else j.laws_hold,
+        laws_note=j.laws_note or None,
+        findings=[finding_value(finding) for finding in s.open],
+        accepted=_accepted(s),
+        stale=_stale(s),
     )
 
 
-def _file(v: Verdict) -> Report:
-    j = v.judgement
-    arm = j.arm
-    return {
-        "model": j.model,
-        "file": j.file,
-        "passed": v.passed,
-        "robot": None
-        if j.robot is None
-        else {
-            "name": j.robot.name,
-            "links": len(j.robot.links),
-            "moving_joints": sum(joint.moves for joint in j.robot.joints),
-            "mass": j.robot.mass,
-        },
-        "arm": None
-        if arm is None
-        else {"base": arm.source.base, "tip": arm.source.tip, "joints": list(arm.joint_names)},
-        "arm_note": j.arm_note or None,
-        "laws_hold": None if j.laws is None else j.laws_hold,
-        "laws_note": j.laws_note or None,
-        **_sorted(v.findings),
-    }
+def _robot(j: Judgement) -> RobotValue | None:
+    if j.robot is None:
+        return None
+    moving = sum(joint.moves for joint in j.robot.joints)
+    return RobotValue(
+        name=j.robot.name, links=len(j.robot.links), moving_joints=moving, mass=j.robot.mass
+    )
 
 
-def _pair(pair: PairVerdict) -> Report:
-    return {"label": pair.label, "passed": pair.passed, **_sorted(pair.findings)}
+def _arm(j: Judgement) -> ArmValue | None:
+    if j.arm is None:
+        return None
+    source = j.arm.source
+    return ArmValue(base=source.base, tip=source.tip, joints=list(j.arm.joint_names))
 
 
-def _sorted(s: Sorted) -> Report:
-    return {
-        "findings": [finding_value(finding) for finding in s.open],
-        "accepted": [{**finding_value(f), "reason": a.reason} for f, a in s.accepted],
-        "stale": [{"rule": a.rule, "subject": a.subject, "reason": a.reason} for a in s.stale],
-    }
+def agreement_value(pair: PairVerdict) -> Agreement:
+    """Whether two models agree."""
+    s = pair.findings
+    return Agreement(
+        label=pair.label,
+        passed=pair.passed,
+        findings=[finding_value(finding) for finding in s.open],
+        accepted=_accepted(s),
+        stale=_stale(s),
+    )
 
 
-def finding_value(f: Finding) -> Report:
+def _accepted(s: Sorted) -> list[AcceptedFinding]:
+    return [AcceptedFinding(finding=finding_value(f), reason=a.reason) for f, a in s.accepted]
+
+
+def _stale(s: Sorted) -> list[StaleAcceptance]:
+    return [StaleAcceptance(rule=a.rule, subject=a.subject, reason=a.reason) for a in s.stale]
+
+
+def finding_value(f: Finding) -> FindingValue:
     """A finding's fields."""
-    return {
-        "rule": f.rule,
-        "severity": f.severity,
-        "subject": f.subject,
-        "message": f.message,
-        "places": [
-            {"file": p.file, "line": p.line or None, "column": p.column or None} for p in f.places
+    return FindingValue(
+        rule=f.rule,
+        severity=f.severity,
+        subject=f.subject,
+        message=f.message,
+        places=[
+            PlaceValue(file=p.file, line=p.line or None, column=p.column or None, element=p.element)
+            for p in f.places
         ],
-        "value": f.value,
-        "bound": f.bound,
-        "unit": f.unit,
-        "consequence": f.consequence,
-        "fix": f.fix,
-        "effect": f.effect,
-    }
+        value=f.value,
+        bound=f.bound,
+        unit=f.unit,
+        consequence=f.consequence,
+        fix=f.fix,
+        effect=f.effect,
+    )

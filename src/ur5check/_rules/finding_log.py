@@ -33,13 +33,18 @@ def finding_of(
         subject=subject,
         message=message,
         places=places,
-        value=value,
-        bound=bound,
+        value=_plain(value),
+        bound=_plain(bound),
         unit=unit,
         consequence=record.consequence,
         fix=fix or record.fix,
         effect=effect,
     )
+
+
+def _plain(value: float | str | None) -> float | str | None:
+    """A number without its text or array type."""
+    return value if value is None or isinstance(value, str) else float(value)
 
 
 class FindingLog:

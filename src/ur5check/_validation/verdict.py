@@ -131,7 +131,7 @@ class PairVerdict:
     @property
     def passed(self) -> bool:
         """Whether nothing is open and every difference is explained."""
-        explained = self.comparison is None or self.comparison.accounted
+        explained = self.comparison is None or self.comparison.explained
         return explained and not self.findings.open
 
 
