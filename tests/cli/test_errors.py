@@ -91,7 +91,7 @@ def test_interruption(ur5check: Command) -> None:
     ) as process:
         assert process.stderr is not None
         for line in process.stderr:
-            if "checking" in line:
+            if "reading" in line:
                 process.send_signal(2)
                 break
         out, err = process.communicate(timeout=60)

@@ -95,7 +95,7 @@ def test_as_a_module(process: Command) -> None:
 
 
 def test_piped_text_has_no_colour_and_100_columns(process: Command) -> None:
-    said = process("validate", "--samples", 50, "--quiet")
+    said = process("validate", "--samples", 50, "--quiet", "--full")
     assert (said.code, said.err) == (0, "")
     assert "\x1b" not in said.out
     lines = [line for line in said.out.splitlines() if not line.startswith("read: ")]

@@ -62,7 +62,7 @@ def test_an_arm_without_dynamics_is_not_computed(tmp_path):
         ("a.urdf", "no xml at all", "XML101"),
         ("a.urdf", "<sdf/>", "XML102"),
         ("a.urdf", '<robot name="r"/>', "TRE105"),
-        ("a.xacro", "<robot", "XML100"),
+        ("a.xacro", "<robot", "XML101"),
         ("a.toml", "name = ", "XML100"),
     ],
 )

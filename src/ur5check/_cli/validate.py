@@ -87,12 +87,14 @@ def run(args: argparse.Namespace) -> int:
     """Judge, report, and say whether all passed."""
     from .._validation.configuration import find_configuration, read_configuration
     from .._validation.verdict import compare_verdicts, files_under, verdicts
+    from .input_files import input_files
 
     paper = not args.models
     models = ["paper", "appendix"] if paper else files_under(args.models)
     if not models:
         raise UsageError(f"{', '.join(args.models)}: no .urdf or .urdf.xacro file is in there")
-    check_output(args.output, [Path(model) for model in models if Path(model).is_file()])
+    packages = name_value_pairs(args.package, "--package", "=")
+    check_output(args.output, [file for m in models for file in input_files(m, (), packages)])
     if args.config is not None:
         configuration = read_configuration(Path(args.config))
     elif paper:
@@ -117,7 +119,10 @@ def run(args: argparse.Namespace) -> int:
         progress(args.quiet, f"comparing {models[0]} with {models[1]}")
         a, b = results
         pair = compare_verdicts(a, b, configuration, requests[0].samples, args.seed)
-    command = command_line("validate", args, tuple(args.models))
+    robots = [(v.judgement.model, v.judgement.robot) for v in results]
+    read = [file for m, x in robots if x is not None for file in input_files(m, x.inputs, packages)]
+    check_output(args.output, read)
+    command = command_line("validate", args, tuple(args.models) or ("paper", "appendix"))
     emit(_text(args, results, pair, configuration, command), args.output)
     return 0 if all(v.passed for v in results) and (pair is None or pair.passed) else 1
 
@@ -128,8 +133,10 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
     samples = args.samples
     if samples is None:
         samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
-    if samples < 1:
-        raise UsageError(f"--samples {samples}: give one or more")
+    from .._arguments import integer
+
+    integer("samples", samples, least=1)
+    integer("seed", args.seed, least=0)
     ends = _ends(args, len(models))
     hold = {}
     for name, value in name_value_pairs(args.hold, "--hold", "=").items():

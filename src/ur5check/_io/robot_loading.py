@@ -63,7 +63,7 @@ def read_robot(
         if path.exists():
             raise UsageError(f"{path} is no regular file; give a robot's description")
         raise UsageError(
-            f"no file and no shipped model is called {str(model)!r}; "
+            f"{path}: there is no such file, and no shipped model of this name; "
             f"{did_you_mean(path.stem, SHIPPED_MODELS)}"
         )
     around = default_packages().with_packages(
