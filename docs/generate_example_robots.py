@@ -20,11 +20,14 @@ PAGE = Path(__file__).resolve().parent / "example-robots.md"
 HEAD = """\
 # What the rules find in example-robot-data
 
-Every URDF of example-robot-data {version}, judged by `ur5check validate` without any option; written by
-`python docs/generate_example_robots.py`. Errors only; warnings and notes are counted. What each
-[rule](rules.md) means is on its page. The errors were checked by hand against the files: an
-impossible tensor is impossible whatever it was meant for, and most belong to placeholders, dummy
-frames of sensors that are written as bodies, and hands.
+Every URDF of example-robot-data {version}, judged by `ur5check validate` without any option; written
+by `python docs/generate_example_robots.py`. Warnings and notes are counted, errors named. Each
+[rule](rules.md) has its page.
+
+An error says that the numbers as written are impossible: for any body (`INE102`, `INE103`), or
+for a body of the shape that the package ships (`INE108`, `GEO101`). The numbers of every error
+were looked at. Which of tensor, centre and mesh is wrong, the rule cannot know: Panda's tensors
+were identified from torques, which do not determine them; others are placeholders.
 
 | file | links | mass [kg] | arm | errors | warnings | notes | which errors |
 |---|---|---|---|---|---|---|---|

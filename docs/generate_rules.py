@@ -13,24 +13,26 @@ HEAD = """\
 # Rules
 
 What `ur5check validate` asks of a model, and what comparing two models, reading what an engine
-imported, and expanding a xacro may find. Written from the rules' own records by
-`python docs/generate_rules.py`; `ur5check rules ID` prints one of them.
+imported, and expanding a xacro may find. Written from the rules' own records by `python
+docs/generate_rules.py`; `ur5check rules ID` prints one of them.
 
-A finding has a rule, a severity, a place (file, line, column), a value with its bound, a consequence
-and a fix. **error**: this cannot be a real robot, or an engine refuses or alters it. **warning**:
-probably a mistake. **note**: worth knowing. A rule's severity is the most that its findings have: a
-massless sensor frame with an impossible tensor is a warning, since no torque shows it.
+A finding has a rule, a severity, a place (file, line, column), a value with its bound, a
+consequence and a fix. **error**: this cannot be a real robot, or an engine refuses or alters
+it. **warning**: probably a mistake. **note**: worth knowing. A rule's severity is the most that
+its findings have: a massless sensor frame with an impossible tensor is a warning, since no
+torque shows it.
 
-Rules judge a model's numbers. The [laws](checks.md) hold for any numbers: they test the computation.
+Rules judge a model's numbers. The [laws](checks.md) hold for any numbers: they test the
+computation.
 
 ## What a body of some size can have
 
-Of a body with mass m, centre c and tensor I about c, the spread along a unit vector u is
-σ = √(uᵀ Σ u / m) with Σ = ½ tr(I) 1 − I. If all of the body lies between two planes across u, at
-*low* and *high*, then σ² ≤ (c − low)(high − c), since (x − low)(high − x) ≥ 0 for each of its points.
-`INE108` asks it of a link's own shapes (10 mm are granted for covers and coarse shapes) along the axes
-of link, shapes and tensor. Where there is no shape, `INE109` compares σ with the link's length from
-joint to joint and with the robot's reach.
+Of a body with mass m, centre c and tensor I about c, the spread along a unit vector u is σ =
+√(uᵀ Σ u / m) with Σ = ½ tr(I) 1 − I. If all of the body lies between two planes across u, at
+*low* and *high*, then σ² ≤ (c − low)(high − c), since (x − low)(high − x) ≥ 0 for each of its
+points. `INE108` asks it of a link's own shapes (10 mm are granted for covers and coarse shapes)
+along the axes of link, shapes and tensor. Where there is no shape, `INE109` compares σ with the
+link's length from joint to joint and with the robot's reach.
 
 ## What a project accepts
 
