@@ -5,7 +5,6 @@ from __future__ import annotations
 import runpy
 
 from repository import REPOSITORY
-
 from ur5check._rules.registry import all_rules
 
 PAGE = (REPOSITORY / "docs" / "rules.md").read_text(encoding="utf-8")
