@@ -21,8 +21,8 @@ HEAD = """\
 # What the rules find in example-robot-data
 
 Every URDF of example-robot-data {version}, judged by `ur5check validate` without any option;
-written by `python docs/generate_example_robots.py`. Warnings and notes are counted, errors named. Each
-[rule](rules.md) has its page.
+written by `python docs/generate_example_robots.py`. Warnings and notes are counted, errors are
+named. Each [rule](rules.md) has its page.
 
 An error says that the numbers as written are impossible: for any body (`INE102`, `INE103`), or
 for a body of the shape that the package ships (`INE108`, `GEO101`). The numbers of every error
