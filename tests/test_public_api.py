@@ -86,6 +86,13 @@ CALLS = [
     ),
     (ur5check.explain, {"difference": None}, {"difference": NOT_OBJECTS}),
     (
+        ur5check.judge,
+        {"model": "paper", "samples": 3},
+        {"model": {"none": None, "number": 3, "unknown": "papre", "folder": "/"}}
+        | {"samples": NOT_COUNTS, "seed": NOT_SEEDS, "payload": NOT_NUMBERS}
+        | {"hold": {"text": "x", "unknown": {"nowhere": 1.0}}, "packages": {"text": "x"}},
+    ),
+    (
         ur5check.validate,
         {},
         {"samples": NOT_COUNTS, "seed": NOT_SEEDS, "gravity": NOT_GRAVITY, "progress": {"n": 3}},

@@ -81,6 +81,7 @@ if TYPE_CHECKING:
     from ._simulation.convergence import convergence
     from ._simulation.static_hold import stand as static_hold
     from ._sweep.sweep import sweep
+    from ._validation.judgement import judge
     from ._validation.validation import validate
 
 #: Where each public name is defined: the module, and the name there if it is another.
@@ -135,6 +136,7 @@ _DEFINED_IN = {
     "kinetic_energy": "._dynamics.equations",
     "known_issues_of": "._engines.known_issues",
     "link_frames": "._dynamics.kinematics",
+    "judge": "._validation.judgement",
     "load": "._io.loading",
     "make_engine": "._engines.registry",
     "mass_matrix": "._dynamics.equations",
@@ -212,6 +214,7 @@ __all__ = [
     "identify",
     "installed_engines",
     "jax_rnea",
+    "judge",
     "kinetic_energy",
     "known_issues_of",
     "link_frames",

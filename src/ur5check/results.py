@@ -27,11 +27,13 @@ from ._engines.audit.fleet_comparison import FleetReport
 from ._engines.engine import Engine, ReferenceEngine, Stepper
 from ._paper.reproduction import Reproduction
 from ._result import Result
+from ._robot.robot import Robot
 from ._robot.serial_arm import Source
 from ._simulation.control.tracking import Tracking
 from ._simulation.convergence import Convergence
 from ._simulation.static_hold import StaticHold
 from ._sweep.sweep_result import Sweep
+from ._validation.judgement import Judgement
 from ._validation.law import Outcome
 from ._validation.validation import ModelValidation, PairValidation, Validation
 
@@ -51,6 +53,7 @@ __all__ = [
     "Explanation",
     "FleetReport",
     "Identifiability",
+    "Judgement",
     "Kernel",
     "LinkParameters",
     "ModelValidation",
@@ -62,6 +65,7 @@ __all__ = [
     "ReferenceEngine",
     "Reproduction",
     "Result",
+    "Robot",
     "Source",
     "Stage",
     "StaticHold",

@@ -8,7 +8,8 @@ import argparse
 import textwrap
 
 from .._errors import UsageError
-from .output import emit
+from .options import add_output_options
+from .output import check_output, emit
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -25,6 +26,7 @@ _WIDTH = 80
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `rules` takes."""
     parser.add_argument("rule", nargs="?", metavar="ID", help="a rule, or a family of rules")
+    add_output_options(parser, formats=False)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -32,10 +34,11 @@ def run(args: argparse.Namespace) -> int:
     from .._rules.registry import all_rules
     from .._rules.rule import FAMILIES
 
+    check_output(args.output, ())
     rules = all_rules()
     wanted = args.rule or ""
     if wanted in rules:
-        emit(_explained(wanted), None)
+        emit(_explained(wanted), args.output)
         return 0
     chosen = [rule for rule in rules.values() if rule.id.startswith(wanted)]
     if not chosen:
@@ -47,7 +50,7 @@ def run(args: argparse.Namespace) -> int:
         if members:
             lines += [f"{family}  {about}"]
             lines += [f"  {rule.id}  {rule.severity:7}  {rule.name}" for rule in members]
-    emit("\n".join(lines) + "\n", None)
+    emit("\n".join(lines) + "\n", args.output)
     return 0
 
 

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from .._errors import EngineError, ModelError, Ur5checkError
+from .._arguments import integer, number, text_map
+from .._errors import EngineError, ModelError, Ur5checkError, UsageError
 from .._finding import SEVERITIES, Finding, Severity
 from .._io.meshes.mesh_reader import MeshReader
 from .._io.robot_arm import arm_of_robot
@@ -99,8 +100,31 @@ def judge(
     payload : mass at the tip [kg];  expected_mass : of the whole robot [kg]
     meshes : whether links are compared with their meshes
 
-    Raises UsageError for a name that means nothing and for options that do.
+    Returns
+    -------
+    Judgement : `findings` worst first, `passed()`, the `robot`, its `arm`, and the `laws`
+
+    Raises
+    ------
+    UsageError : a name that means nothing, a file that is not there, arguments of a wrong type.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> judgement = ur5check.judge("erd-ur5", samples=10, meshes=False)
+    >>> judgement.passed(), judgement.laws_hold
+    (True, True)
     """
+    if not isinstance(model, str | Path):
+        raise UsageError(f"model must be a shipped model's name or a path, not {model!r:.80}")
+    for name, mapping in (("hold", hold), ("packages", packages), ("arguments", arguments)):
+        text_map(name, mapping)
+    integer("samples", samples, least=1)
+    integer("seed", seed, least=0)
+    if number("payload", payload) < 0.0:
+        raise UsageError(f"payload must be zero or more, not {payload}")
+    if expected_mass is not None:
+        number("expected_mass", expected_mass, positive=True)
     reading = read_robot(model, packages=packages, arguments=arguments, base=base, tip=tip)
     if reading.robot is None:
         none = "the file describes no robot"
@@ -132,6 +156,8 @@ def _arm(
     reading: RobotReading, base: str | None, tip: str | None, hold: Mapping[str, float] | None
 ) -> tuple[SerialArm | None, str]:
     if reading.arm is not None or reading.robot is None:
+        if hold:
+            raise UsageError(f"{reading.file} has no joint beside its arm that could be held")
         return reading.arm, ""
     try:
         arm = arm_of_robot(reading.robot, base=base, tip=tip, hold=hold, urdf=reading.text)
