@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from planted_engines import Honest
 
+from planted_engines import Honest
 from ur5check._engines.audit.engine_comparison import compare_engines
 from ur5check._engines.audit.import_audit import audit
 from ur5check._engines.audit.import_difference import KINDS

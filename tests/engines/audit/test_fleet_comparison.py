@@ -11,11 +11,11 @@ import shlex
 from pathlib import Path
 
 import pytest
-from three_joints import ARM
 
 import ur5check
 from report_schema import read_report
 from repository import REPOSITORY
+from three_joints import ARM
 from ur5check._cli.main import main
 from ur5check._engines.audit import fleet_comparison as fleet_module
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import planted_engines
 import pytest
-from planted_engines import Honest, Merging
 
+import planted_engines
 import ur5check
+from planted_engines import Honest, Merging
 from ur5check._dynamics.recursion import rnea
 from ur5check._engines.adapters.pinocchio import PinocchioEngine
 from ur5check._engines.audit.import_audit import audit, with_torque_effects

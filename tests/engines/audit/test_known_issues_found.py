@@ -5,8 +5,8 @@ repaired.
 from __future__ import annotations
 
 import pytest
-from three_joints import ARM
 
+from three_joints import ARM
 from ur5check._engines.audit.engine_comparison import SAME_ROBOT, compare_engines
 from ur5check._io.urdf.urdf_reader import read_urdf
 

@@ -11,14 +11,14 @@ from typing import Any
 import pytest
 
 from ur5check._cli.main import main
-from ur5check._paper import reproduction as room
+from ur5check._paper import reproduction as reproduction_module
 from ur5check._paper.reproduction import Reproduction
 
 
 @pytest.fixture
-def at_hand(monkeypatch: pytest.MonkeyPatch, reproduction: Reproduction) -> None:
-    """The result that the other tests look at: what is tested here is what becomes of it."""
-    monkeypatch.setattr(room, "reproduce", lambda progress=None: reproduction)
+def reproduced(monkeypatch: pytest.MonkeyPatch, reproduction: Reproduction) -> None:
+    """The result of the other tests: only its report is tested here."""
+    monkeypatch.setattr(reproduction_module, "reproduce", lambda progress=None: reproduction)
 
 
 def test_it_runs_from_end_to_end(capsys: pytest.CaptureFixture[str]) -> None:
@@ -31,7 +31,7 @@ def test_it_runs_from_end_to_end(capsys: pytest.CaptureFixture[str]) -> None:
     assert "running 9 cases for 5 models" in said.err
 
 
-@pytest.mark.usefixtures("at_hand")
+@pytest.mark.usefixtures("reproduced")
 def test_formats(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert main(["paper", "--quiet"]) == 0
     said = capsys.readouterr()
@@ -43,7 +43,7 @@ def test_formats(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert "Every claim, model by model" in target.read_text("utf-8")
 
 
-@pytest.mark.usefixtures("at_hand")
+@pytest.mark.usefixtures("reproduced")
 def test_a_report_finds_its_pictures_from_where_it_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from three_joints import ARM
 
 from report_schema import read_report
 from repository import REPOSITORY
+from three_joints import ARM
 from ur5check._cli.main import main
 from ur5check._engines.adapters.ur5check_recursion import RecursionEngine
 from ur5check._engines.audit.import_difference import KINDS
