@@ -142,7 +142,7 @@ def test_quick_says_what_without_why(ur5check: Command) -> None:
     code, out, err = ur5check("diff", "paper", "appendix", *FEW, "--quick", "--by-parameter")
     assert code == 1
     assert "── The numbers ──" in out
-    assert "── What went wrong ──" not in out
+    assert "── Mistakes found ──" not in out
     assert "\nParameter by parameter\n" in out
     assert "looking for known mistakes" not in err
     assert "--samples 50 --seed 0 --quick --by-parameter\n" in out
@@ -151,4 +151,4 @@ def test_quick_says_what_without_why(ur5check: Command) -> None:
 def test_the_explanation_in_markdown_writes_combinations_out(ur5check: Command) -> None:
     out = ur5check("diff", "paper", "paper", *FEW, "--format", "markdown").out
     assert "\n### Identifiable combinations\n" in out
-    assert "\n## What went wrong\n\nNothing: there is no difference to explain.\n" in out
+    assert "\n## Mistakes found\n\nNothing: there is no difference to explain.\n" in out

@@ -35,5 +35,5 @@ def test_the_commands_write_what_the_page_says(tmp_path, monkeypatch, capsys):
 def test_every_planted_fault_is_planted():
     script = (ROOT / ".ci" / "check_gazebo.sh").read_text("utf-8")
     planted = re.findall(r'refuses "([^"]+)"', script)
-    told = PAGE.partition("Each check was given something wrong")[2]
+    told = PAGE.partition("Each check was tested with a planted error")[2]
     assert re.findall(r"^- (.+)$", told, re.M) == planted

@@ -60,5 +60,5 @@ def test_without_a_repair_what_fails_is_refuted() -> None:
 
 def test_a_claim_that_is_put_to_nothing_printed_is_no_claim() -> None:
     claim = Claim("id", "text", "test", "source", "1")
-    with pytest.raises(ValueError, match="'id' is put to nothing that the paper printed"):
+    with pytest.raises(ValueError, match="'id' is not tested on anything that the paper printed"):
         judged(claim, [trial("repaired", holds=True)])

@@ -18,7 +18,7 @@ def test_paper_against_appendix():
     verdict, geometry, contributions, residual = summary("paper", "appendix")
     assert "different torques" in verdict
     assert "turned by 180° about z" in geometry
-    assert "joint angles as they stand" in geometry
+    assert "joint angles unchanged" in geometry
     assert contributions.startswith("Attributed to link 2, centre of mass")
     assert "The attribution is complete" in residual
 

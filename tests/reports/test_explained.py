@@ -17,7 +17,7 @@ from ur5check._reports.document import Document, Section, Table
 from ur5check._reports.explanation_summary import removed
 
 SECTIONS = [
-    "What went wrong",
+    "Mistakes found",
     "The numbers",
     "Attribution",
     "Identifiability",
@@ -60,7 +60,7 @@ def test_a_quick_report_gives_no_reasons(difference: Difference) -> None:
 
 
 def test_every_finding_has_its_evidence(document: Document, explanation: Explanation) -> None:
-    evidence, words, details, *_ = section(document, "What went wrong").tables
+    evidence, words, details, *_ = section(document, "Mistakes found").tables
     diagnosis = explanation.diagnosis
     by_id = {finding.id: finding for finding in diagnosis.mistakes}
     assert sorted(column(evidence, "mistake")) == sorted(by_id)
@@ -82,12 +82,12 @@ def test_what_changes_no_torque_comes_last(equal: Explanation) -> None:
     mistakes = tuple(replace(f, equals=("mass-digits",)) for f in explanation.diagnosis.mistakes)
     tied = replace(explanation, diagnosis=replace(explanation.diagnosis, mistakes=mistakes))
     _, words, *_ = findings_section(tied).tables
-    assert any("Explained as well by: " in cell for cell in column(words, "what happened"))
+    assert any("Explained as well by: " in cell for cell in column(words, "explanation"))
 
 
 def test_what_nothing_explains_is_said(document: Document, explanation: Explanation) -> None:
     left = explanation.diagnosis.unexplained
-    tables = [t for t in section(document, "What went wrong").tables if t.title == "Unexplained"]
+    tables = [t for t in section(document, "Mistakes found").tables if t.title == "Unexplained"]
     assert [len(t.rows) for t in tables] == ([len(left)] if left else [])
 
 
@@ -169,7 +169,7 @@ def test_where_nothing_differs_nothing_is_explained(equal: Explanation) -> None:
     document = diff_document(equal.difference, equal)
     assert document.verdict is not None
     assert document.verdict.word == "AGREE"
-    assert section(document, "What went wrong").tables == ()
+    assert section(document, "Mistakes found").tables == ()
     assert section(document, "Attribution").tables == ()
     assert section(document, "Worst case").tables == ()
     assert "Same numbers, same dynamics." in section(document, "Identifiability").lines

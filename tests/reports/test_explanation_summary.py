@@ -19,7 +19,7 @@ def test_the_listing_has_lost_three_signs():
     lines = lines_of("paper-listing", "paper")
     assert "Links 2, 3 and 5 of paper-listing: a sign of the length is lost" in lines[1]
     assert "removes 100% of the difference" in lines[1]
-    assert lines[-1].startswith("Worst within limits: joint")
+    assert lines[-1].startswith("Worst state within limits: ")
 
 
 def test_two_measurements_have_no_known_mistake():

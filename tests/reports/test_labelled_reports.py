@@ -68,4 +68,4 @@ def test_validate_and_sweep_and_simulate(versions: tuple[SerialArm, SerialArm]) 
     sweep = render_text(sweep_document(ur5check.sweep(*versions, states=50)), width=200)
     assert f"Torque difference: {a} − {b}" in sweep
     hold = render_text(simulate_document(stand(*versions, [0.0] * 6, seconds=0.01)), width=200)
-    assert f"Given: what holds {b}. Needed: what holds {a}" in hold
+    assert f"Applied: holds {b}. Needed: holds {a}" in hold

@@ -77,7 +77,7 @@ def test_the_worst_configuration(explained: Explanation) -> None:
     shares = [by_joint[i] / limit for i, limit in enumerate(LIMITS, 1)]
     table = table_with(worst_section(explained), "of limit [%]")
     assert column(table, "of limit [%]")[:6] == percentages(shares)
-    (sentence,) = (s for s in explanation_summary(explained) if s.startswith("Worst within"))
+    (sentence,) = (s for s in explanation_summary(explained) if s.startswith("Worst state within"))
     worst = max(range(len(shares)), key=lambda i: by_joint[i + 1])
     assert share_in(sentence) == pytest.approx(shares[worst], abs=0.005)
 

@@ -35,7 +35,7 @@ def test_an_arm_that_moves_exits_with_1(simulate):
     code, out, _ = simulate(*QUICK, "--torque", "paper-listing", "--engine", "mujoco", "--quiet")
     assert code == 1
     assert "MOVES: appendix moves" in out
-    assert re.search(r"joint 2 is given\s+\+65.92 N m where it needs\s+−40.39 N m", out)
+    assert re.search(r"joint 2 is given\s+\+65.92 N m and needs\s+−40.39 N m", out)
 
 
 def test_progress_goes_to_stderr_and_can_be_silenced(simulate):

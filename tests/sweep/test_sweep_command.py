@@ -36,9 +36,9 @@ def say(capsys):
 def test_the_verdict_comes_first_and_progress_on_stderr(say):
     code, out, err = say(*BASE)
     assert code == 1
-    assert out.splitlines()[2].startswith("DIFFER: paper and appendix ask for different torques")
+    assert out.splitlines()[2].startswith("DIFFER: paper and appendix need different torques")
     assert "2,000 random states" in out
-    assert "Over the limit" in out
+    assert "States above the tolerance" in out
     assert re.search(r"2,000 states in .* s, [\d,]+ per second", err)
     assert say(*BASE, "--quiet")[2] == ""
 
@@ -46,15 +46,15 @@ def test_the_verdict_comes_first_and_progress_on_stderr(say):
 def test_equal_models_agree(say):
     code, out, _ = say("sweep", "paper", "paper", "--states", "500", "--quiet")
     assert code == 0
-    assert "AGREE: A and B ask for the same torques at 500 random states" in out
-    assert "Over the limit" not in out
+    assert "AGREE: A and B need the same torques at 500 random states" in out
+    assert "States above the tolerance" not in out
 
 
 def test_markdown(say, tmp_path):
     assert say(*BASE, "-o", tmp_path / "s.md")[0] == 1
     text = (tmp_path / "s.md").read_text(encoding="utf-8")
     assert "| joint |" in text
-    assert "Where the tool is" in text
+    assert "Reach map" in text
 
 
 @pytest.mark.parametrize("how", ["random", "sobol", "grid"])

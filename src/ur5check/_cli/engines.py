@@ -84,7 +84,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """List, or compare one arm or the fleet."""
+    """List the engines, or compare them on one arm or on all arms of example-robot-data."""
     _check(args)
     if args.fleet:
         return _fleet(args)

@@ -52,7 +52,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Write the packages; say where they are and what torque they publish."""
+    """Write the packages; print their folder and the torque that they publish."""
     from .._io.gazebo.gazebo_package import gazebo_packages
     from .._io.gazebo.package_folder import check_folder, write_folder
     from .._io.ros_packages import default_packages
@@ -92,7 +92,7 @@ def _case_9(angles: Array, model: str, n: int) -> list[float]:
 
 
 def _said(folder: str, names: tuple[str, ...], packages: GazeboPackages) -> str:
-    """What a reader needs next: which file to open, and what to expect."""
+    """The next step for the user: folder, README, and the published torques."""
     width = max(map(len, names))
     lines = [f"{folder}: {len(packages.files)} files; {folder}/README.md says how to run them"]
     lines += [

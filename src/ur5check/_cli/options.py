@@ -1,4 +1,4 @@
-"""Options that several commands share, and what they come to."""
+"""Options that several commands share, and the models that they select."""
 
 from __future__ import annotations
 

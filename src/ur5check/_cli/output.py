@@ -1,4 +1,4 @@
-"""Where a result goes: stdout, or files, each of which is either whole or not there."""
+"""Writing of results: to stdout, or to files, which are written completely or not at all."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def rendered(
 
 
 def check_output(output: str | None, inputs: Iterable[Path], *, option: str = "-o") -> None:
-    """Refuse, before any work is done, what could not or should not be written.
+    """Refuse, before any work, an output that cannot or must not be written.
 
     option : the one that named the file, for messages
 

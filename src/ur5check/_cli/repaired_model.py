@@ -1,4 +1,4 @@
-"""`diff --repair`: B with its known mistakes repaired, as a URDF, and a line on each repair."""
+"""`diff --repair`: B with its known mistakes repaired, as a URDF; one line on each repair."""
 
 from __future__ import annotations
 

@@ -144,7 +144,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _pose(words: list[str]) -> list[float]:
-    """Raises UsageError for what is neither a case's name nor numbers."""
+    """Raises UsageError for anything but a case's name or numbers."""
     from .._paper.cases import CASES
 
     named = {f"case{case.number}": case for case in CASES if case.swept is None}

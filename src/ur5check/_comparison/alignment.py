@@ -1,4 +1,4 @@
-"""Finding how one arm's joint coordinates and base frame read in another's.
+"""The transformation of one arm's joint coordinates and base frame to another's.
 
 Two arms are comparable when their joint axes are the same lines in space.  Sought are a base
 transform X = T_ab, a sign s_i and a zero offset o_i for each joint, with
@@ -55,12 +55,12 @@ _MOST_SOLUTIONS = 256
 
 @dataclass(frozen=True, eq=False)
 class Alignment:
-    """How arm b reads in arm a's joint coordinates and base frame.
+    """Arm b in arm a's joint coordinates and base frame.
 
     T_ab : b's base frame in a's
     signs, offsets : q_b = signs ∘ q_a + offsets, shape (n,) [rad], or [m] for a sliding joint
     exact : whether all axes became the same lines (within SAME_ANGLE, SAME_LENGTH)
-    axis_angle, axis_distance : what is left between corresponding axes at q_a = 0, shape (n,)
+    axis_angle, axis_distance : between corresponding axes at q_a = 0, shape (n,)
         [rad], [m]; a sliding joint's axis has a direction only
     tool : pose of b's tool in a's tool frame at q_a = 0
     unknown : what the axes could not determine, in sentences

@@ -1,1 +1,1 @@
-"""The paper, reproduced: everything it did, and of each of its claims what came of it."""
+"""The paper reproduced: its computations, and a verdict on each of its claims."""

@@ -1,4 +1,4 @@
-"""One case computed for one model: the torques, what they should be, and the curve as a sine."""
+"""One case computed for one model: the torques, the expected torques, and the fitted sine."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ __all__ = ["Run", "run_case"]
 #: Two curves that differ by less of their peak cannot be told apart in a printed plot.
 _SEEN_IN_A_PLOT = 0.01
 
-#: A torque passes through n joints, and in each picks up some roundings of the size of the largest
-#: torque on the way: 16 n ε of it is more than was ever seen and far below any claim.
+#: Rounding error of a torque: a few roundings of the largest torque at each of n joints. 16 n ε of
+#: the largest torque exceeds all errors observed and is far below any claim.
 _ROUNDINGS = 16.0
 
 #: The coarsest angle that a URDF or a controller writes for π/2 is 1.570796327: half a unit of its
-#: last digit turns a part of that size of one torque into another.
+#: last digit moves a share of that size from one joint's torque to another's.
 _ANGLE_DIGITS = 5e-10
 
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """All torques of a case, as one model has them.
+    """All torques of a case, computed with one model.
 
     q : shape (N, n) [rad], N = 361 or, in case 9, 1
     torque : of every joint, shape (N, n) [N m]
@@ -54,23 +54,23 @@ class Run:
 
     @property
     def rounding(self) -> float:
-        """What a torque may owe to rounding [N m]."""
+        """Bound of the rounding error of a torque [N m]."""
         n = len(self.case.posture)
         return _ROUNDINGS * n * float(np.finfo(np.float64).eps) * self.scale
 
     @property
     def digits(self) -> float:
-        """What a torque may owe to the digits of the angles in a file [N m]."""
+        """Bound of a torque error due to the digits of the angles in a file [N m]."""
         return _ANGLE_DIGITS * self.scale
 
     @property
     def watched(self) -> Array:
-        """The torque that the case looks at, shape (N,) [N m]; of all joints, (n,), in case 9."""
+        """The torque that the case examines, shape (N,) [N m]; of all joints, (n,), in case 9."""
         return self._seen(self.torque)
 
     @property
     def expected_watched(self) -> Array:
-        """What it should be, same shape [N m]."""
+        """The expected value of it, same shape [N m]."""
         return self._seen(self.expected)
 
     @property
@@ -81,28 +81,28 @@ class Run:
 
     @property
     def expected_peak(self) -> float:
-        """The same of what it should be [N m]; 0 where it is only digits."""
+        """Largest size of the expected torque [N m]; 0 where it is only digits."""
         peak = float(np.abs(self.expected_watched).max())
         return peak if peak > self.digits else 0.0
 
     @property
     def error(self) -> float:
-        """Largest distance from what it should be [N m]."""
+        """Largest deviation from the expected torque [N m]."""
         return float(np.abs(self.watched - self.expected_watched).max())
 
     @property
     def tolerance(self) -> float:
-        """How far it may lie from there and still be as expected [N m]."""
+        """Largest deviation that counts as expected [N m]."""
         return _SEEN_IN_A_PLOT * self.expected_peak + self.digits
 
     @property
     def as_expected(self) -> bool:
-        """Whether it is what the weights ask for."""
+        """Whether the torque balances the weights."""
         return self.error <= self.tolerance
 
     @property
     def opposed(self) -> bool:
-        """Whether it pulls the other way, over the case as a whole."""
+        """Whether it has the opposite sign, over the case as a whole."""
         return float(self.watched @ self.expected_watched) < 0.0
 
     def _seen(self, tau: Array) -> Array:
@@ -110,6 +110,6 @@ class Run:
 
 
 def run_case(case: Case, model: Model) -> Run:
-    """Ask the model for every torque of the case."""
+    """Compute all torques of the case with the model."""
     q = case.joint_angles()
     return Run(case, model, q, np.asarray(model.torque(q)), holding_torque(model.true_arm, q))

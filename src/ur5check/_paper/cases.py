@@ -1,6 +1,6 @@
-"""The paper's nine test cases: where the arm stands, which joint is turned, which is watched.
+"""The paper's nine test cases: posture, joint that turns, joint whose torque is examined.
 
-Static throughout: q̇ = q̈ = 0, only gravity acts.  In cases 1 to 8 one joint goes once round in
+Static throughout: q̇ = q̈ = 0, only gravity acts.  In cases 1 to 8 one joint makes a full turn in
 steps of 1°; case 9 is one posture.  (SSRN 3939013, section "Results & Simulation".)
 """
 
@@ -26,8 +26,8 @@ class Case:
     """One test case.
 
     number : 1 … 9
-    posture : joint angles [rad], one a joint; None for the one that goes round
-    watched : the joint whose torque is looked at, from 1; None where all are
+    posture : joint angles [rad], one per joint; None for the one that turns
+    watched : the joint whose torque is examined, from 1; None for all
     claim : what the paper says of the curve, in our words
     """
 
@@ -38,7 +38,7 @@ class Case:
 
     @property
     def swept(self) -> int | None:
-        """The joint that goes round, from 1; None where none does."""
+        """The joint that turns, from 1; None where none does."""
         return self.posture.index(None) + 1 if None in self.posture else None
 
     def joint_angles(self) -> Array:
@@ -48,7 +48,7 @@ class Case:
         return np.stack(columns, axis=-1)
 
     def in_words(self) -> str:
-        """The posture as a reader says it: `0°, θ2, 90°, 0°, 0°, 0°`."""
+        """The posture as text: `0°, θ2, 90°, 0°, 0°, 0°`."""
         if self.swept is None:
             return ", ".join(f"{q:g}" for q in self.posture if q is not None) + " rad"
         return ", ".join(

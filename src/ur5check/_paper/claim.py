@@ -1,11 +1,10 @@
-"""What a claim is, how it is put to the test, and what can come of it.
+"""A claim, its test, and its verdict.
 
     confirmed               what the paper printed passes
     confirmed after repair  it fails as printed, and passes once the mistake is repaired
-    refuted                 it fails, and no repair at hand makes it pass
+    refuted                 it fails, and no known repair makes it pass
 
-A claim is put to several models, and each trial measures one number against one limit.  A number
-that is none (nan) fails.
+A claim is tested on several models; each trial compares one number with one limit. nan fails.
 """
 
 from __future__ import annotations
@@ -24,9 +23,9 @@ Bound = Literal["at most", "at least", "below", "above"]
 
 @dataclass(frozen=True)
 class Claim:
-    """Something the paper says, made so that it can come out false.
+    """A statement of the paper in a form that can be tested.
 
-    id : how reports, tests and docs name it
+    id : its name in reports, tests and docs
     text : what is claimed, in our words
     test : what is measured, and the limit with its reason
     source : where the paper says it
@@ -42,11 +41,11 @@ class Claim:
 
 @dataclass(frozen=True)
 class Trial:
-    """One model put to a claim.
+    """The test of a claim on one model.
 
     form : of what the paper printed, of the same repaired, or of something else
     value, limit : in the claim's unit;  bound : on which side of the limit the value must lie
-    why : what a reader should know of this outcome; may be empty
+    why : the reason of this outcome; may be empty
     """
 
     model: str
@@ -69,7 +68,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class ClaimOutcome:
-    """What came of a claim on one model."""
+    """The verdict on a claim for one model."""
 
     claim: Claim
     model: str
@@ -98,11 +97,11 @@ def judged(claim: Claim, trials: Iterable[Trial]) -> tuple[ClaimOutcome, ...]:
     What is repaired is confirmed "after repair" where what is printed fails; everything else simply
     holds or does not.
 
-    Raises ValueError without a trial of what is printed: the claim would be judged by hearsay.
+    Raises ValueError without a trial of what is printed.
     """
     trials = tuple(trials)
     if not any(trial.form == "printed" for trial in trials):
-        raise ValueError(f"claim {claim.id!r} is put to nothing that the paper printed")
+        raise ValueError(f"claim {claim.id!r} is not tested on anything that the paper printed")
     printed_fails = any(t.form == "printed" and not t.holds for t in trials)
     return tuple(
         ClaimOutcome(
@@ -114,7 +113,7 @@ def judged(claim: Claim, trials: Iterable[Trial]) -> tuple[ClaimOutcome, ...]:
 
 
 def overall(outcomes: Iterable[ClaimOutcome]) -> Verdict:
-    """What came of a claim in the paper: asked of what it printed, then of its repair.
+    """The verdict on a claim of the paper: by what is printed, then by its repair.
 
     outcomes : of one claim
     """

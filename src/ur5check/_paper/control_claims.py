@@ -1,4 +1,4 @@
-"""What the paper says of control (eqs 16–28), tested by poles and in a simulated loop.
+"""The paper's claims on control (eqs 16–28), tested by poles and in a simulated loop.
 
 The paper prints no gains.  Here every joint's poles are placed at −8, −10 and −12 / s; the signs
 fail for any positive gains (`_simulation.control.error_dynamics`).  Controller and plant are the
@@ -79,7 +79,7 @@ def gains_reach_every_joint(evidence: Evidence) -> Iterator[ClaimOutcome]:
     claim = Claim(
         "pid-gains",
         "The gain matrices feed back every joint's error",
-        "rank of K_p with one gain for all joints: 6, or some errors meet no feedback",
+        "rank of K_p with one gain for all joints: 6, or some errors have no feedback",
         "eqs (24)–(26)",
         "1",
     )
@@ -104,9 +104,9 @@ def printed_matrix(gains: Array) -> Array:
 
 
 def gain_trial(name: str, form: Form, matrix: Array) -> Trial:
-    """In how many directions of joint space a gain matrix acts."""
+    """The number of directions of joint space in which a gain matrix acts."""
     n, rank = len(matrix), int(np.linalg.matrix_rank(matrix))
-    missing = f"errors in {n - rank} of {n} directions of joint space meet no feedback"
+    missing = f"errors in {n - rank} of {n} directions of joint space have no feedback"
     return Trial(name, form, float(rank), float(n), missing * (rank < n), "at least")
 
 

@@ -1,4 +1,4 @@
-"""What the paper says of its curves: a sine, as expected, zero and constant."""
+"""The paper's claims on its curves: a sine, as expected, zero and constant."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def sine(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def sine_trial(run: Run) -> Trial:
-    """One curve compared with its sine.  No amplitude is no sine."""
+    """One curve compared with its fitted sine; zero amplitude fails."""
     fit = run.harmonic
     if fit is None or fit.amplitude <= run.rounding:
         return _trial(run, float("nan"), 0.0, "there is no curve")
@@ -38,8 +38,8 @@ def sine_trial(run: Run) -> Trial:
 def as_expected(evidence: Evidence) -> Iterator[ClaimOutcome]:
     """Cases 1 to 8: the torque is the moment of the weights.
 
-    The paper says "as expected" without what it expected.  A motor at rest holds weights; their
-    moment is computed from levers, not by the recursion.
+    The paper says "as expected" without an expected value. At rest a motor balances the moment of
+    the weights, which is computed from lever arms, not by the recursion.
     """
     for case in (case for case in CASES if case.watched is not None):
         claim = Claim(

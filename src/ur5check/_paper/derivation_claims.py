@@ -1,4 +1,4 @@
-"""What the paper says of its derivation: more accurate than Lagrange's, by a program that runs."""
+"""The paper's claims on its derivation: more accurate than Lagrange's, by a program that runs."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def lagrange_torque(arm: SerialArm, states: States) -> Array:
     """d/dt ∂T/∂q̇ − ∂T/∂q + ∂U/∂q, shape (N, n) [N m], from the energies alone.
 
     T is quadratic in q̇, so that its derivative is half of T(q̇ + e_i) − T(q̇ − e_i), exactly; the
-    other derivatives are complex steps.  Nothing of the recursion takes part.
+    other derivatives are complex steps.  The recursion is not used.
 
     References: Siciliano et al., Robotics (2009), ch. 7.1.
     """
@@ -84,7 +84,7 @@ def lagrange_torque(arm: SerialArm, states: States) -> Array:
 
 
 def listing_runs(evidence: Evidence) -> Iterator[ClaimOutcome]:
-    """The program can be run as it is printed."""
+    """The program runs as printed."""
     claim = Claim(
         "listing-runs",
         "The printed program runs",
@@ -102,7 +102,7 @@ def listing_runs(evidence: Evidence) -> Iterator[ClaimOutcome]:
 
 
 def parse_trial(name: str, form: Form, statements: Iterable[str]) -> Trial:
-    """How many of these expressions are none."""
+    """The number of these expressions that do not parse."""
     refused = [text for text in statements if not _parses(text)]
     why = "α_5 and α_6 end before their closing brackets" if refused else ""
     return Trial(name, form, float(len(refused)), 0.0, why)

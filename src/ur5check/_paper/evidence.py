@@ -1,4 +1,4 @@
-"""Everything that is computed for the claims; each claim uses part of it."""
+"""All computations that the claims are judged by."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """What the claims are judged by.
+    """The results that the claims are judged by.
 
     models : that were computed;  runs : each case for each model, case by case
     listing_mistakes : found by diagnosis, and the listing without them

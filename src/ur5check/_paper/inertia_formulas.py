@@ -24,8 +24,8 @@ __all__ = ["EQ_3", "FORMULAS", "Formula", "TensorFormula", "tensor_formulas", "w
 class Formula:
     """I_xx = I_yy = m (k r² + l²) · twelfth.
 
-    text : as somebody wrote it;  k : 3 in eq. 3, 9 where 3r was squared
-    honest : whether it is eq. 3, if only to the digits of its constant
+    text : as it would be written;  k : 3 in eq. 3, 9 where 3r was squared
+    honest : whether it is eq. 3, to the digits of its constant
     """
 
     text: str
@@ -50,7 +50,7 @@ _TWELFTHS = (
     *((f"0.08{'3' * n}", float(f"0.08{'3' * n}")) for n in range(1, 8)),
 )
 
-#: Eq. 3 first, then everything else that a hand might write.
+#: Eq. 3 first, then other ways to write it, wrong ones included.
 FORMULAS = tuple(
     Formula(
         f"m({square})/12" if twelfth == "1/12" else f"m({square})·{twelfth}", k, value, k == 3.0
@@ -65,7 +65,7 @@ EQ_3 = FORMULAS[0]
 
 @dataclass(frozen=True)
 class TensorFormula:
-    """What made one printed tensor.
+    """The formula that gives one printed tensor.
 
     link : from 1;  mass : [kg]
     across, along : as printed, I_xx = I_yy and I_zz [kg m²];  half_unit : of their last digit

@@ -1,7 +1,7 @@
 """The mistakes of the paper's listing, and their effect on each of the nine cases.
 
-The mistakes are not listed here.  `diagnosis` finds them between the listing and the controller's
-DH as between any two arms, and returns the listing without them.  Both arms have the listing's
+The mistakes are not listed here: `diagnosis` finds them between the listing and the controller's
+DH, as between any two arms, and returns the listing without them.  Both arms have the listing's
 gravity: 9.806 m/s² is a value of its own (standard gravity is 9.80665), not a mistake.
 """
 

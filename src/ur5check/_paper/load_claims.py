@@ -1,8 +1,8 @@
-"""What the paper says of how much a joint bears: less than before, and low because a link is light.
+"""The paper's claims on loads: less than before, and low because a link is light.
 
-"Low" has a measure in the paper itself: it goes from heavy cases to light ones, so low is less than
-in any of the cases before that bear a load.  "Because the link is light" says that the link's own
-weight is what the joint bears; so take that weight away, and see what is left.
+"Low" is measured by the paper's own cases, which go from heavy to light: less than in any earlier
+case with a load. "Because the link is light" states that the joint bears the link's own weight; the
+test removes that weight and computes what remains.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _LOADED = (1, 2, 3, 5)
 #: The cases that claim a low torque, and the link whose lightness is given as the reason.
 _LIGHT = {7: 5, 8: 6}
 
-#: What carries less than half of a torque is not the reason for it.
+#: A weight that causes less than half of a torque is not the reason for it.
 _HALF = 0.5
 
 

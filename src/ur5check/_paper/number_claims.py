@@ -1,6 +1,6 @@
-"""What the paper says of its inertia tensors: a cylinder's formula, in the frames of the links.
+"""The paper's claims on its inertia tensors: a cylinder's formula, in the frames of the links.
 
-All of it can be compared with the paper itself; no measured robot is needed.
+All are checked against the paper itself; no measured robot is needed.
 """
 
 from __future__ import annotations

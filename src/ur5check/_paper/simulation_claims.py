@@ -1,4 +1,4 @@
-"""What the paper says of its simulation: torques were published, and the arm stood (test 9).
+"""The paper's claim on its simulation: torques were published, and the arm stood (test 9).
 
 The plant is the appendix's arm, as in the paper, moved by our own integrator; for MuJoCo and DART,
 see `ur5check simulate --engine` (docs/simulation.md).

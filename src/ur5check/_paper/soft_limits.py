@@ -1,4 +1,4 @@
-"""The appendix's soft limits: a safety controller acts only where they lie inside the hard ones."""
+"""The appendix's soft limits: a safety controller acts only if they lie inside the hard limits."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["SoftLimits", "read_soft_limits", "soft_limit_trial", "soft_limits"]
 
 @dataclass(frozen=True)
 class SoftLimits:
-    """One joint's limits [rad], and the soft ones that should keep it away from them."""
+    """One joint's limits [rad], and the soft limits inside them."""
 
     joint: str
     lower: float
@@ -28,7 +28,7 @@ class SoftLimits:
 
     @property
     def margin(self) -> float:
-        """How far the soft limits lie inside, on the worse side [rad]; negative if outside."""
+        """Distance of soft limits inside the hard ones, worse side [rad]; negative: outside."""
         return min(self.soft_lower - self.lower, self.upper - self.soft_upper)
 
 

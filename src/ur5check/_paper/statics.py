@@ -1,11 +1,11 @@
-"""What a torque should be: the moment of the weights about the joint, without any recursion.
+"""Expected torque at rest: the moment of the weights about the joint, without recursion.
 
 A motor at rest holds the weights of all that it carries.  Link k weighs m_k g and acts at its
 centre of mass c_k, so about the axis z_i through p_i
 
     τ_i = −z_i · Σ_{k ≥ i} (c_k − p_i) × m_k g.
 
-This is the lever rule.  It shares no line with eqs 9 to 15, and so can say that they are wrong.
+This is the law of the lever, independent of the paper's eqs 9 to 15, and so a test of them.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from .._robot.transforms import Array
 
 __all__ = ["axes_in_space", "holding_torque", "nothing_to_hold"]
 
-#: As a file writes a quarter turn: 1.570796327, off by up to half a unit.
+#: Error of a quarter turn written as 1.570796327: up to half a unit of its last digit.
 _ANGLE_DIGITS = 5e-10
 
 
 def holding_torque(arm: SerialArm, q: Array) -> Array:
-    """Torque that holds an arm of turning joints still, shape (N, n) [N m].
+    """Torque that holds an arm of revolute joints at rest, shape (N, n) [N m].
 
     q : shape (N, n) [rad]
 
@@ -51,7 +51,7 @@ def axes_in_space(arm: SerialArm, q: Array) -> tuple[Array, Array]:
 
 
 def nothing_to_hold(arm: SerialArm, q: Array, joint: int) -> str:
-    """Why a joint, from 1, bears no weight at these states, in words; empty if that is not plain.
+    """Why a joint, from 1, bears no weight at these states; empty if no reason is found.
 
     q : shape (N, n) [rad]
     """

@@ -84,7 +84,7 @@ def _geometry(d: Difference) -> str:
         if offset:
             unit, value = ("°", np.degrees(offset)) if joint.kind == "revolute" else (" m", offset)
             joints.append(f"{joint.name} shifted by {value:+.4g}{unit}")
-    angles = ", ".join(joints) or "joint angles as they stand"
+    angles = ", ".join(joints) or "joint angles unchanged"
     base = base_in_words(alignment.T_ab)
     return (
         f"Same axes in space: {d.pair.b.label}'s base is {base}, {angles}; "

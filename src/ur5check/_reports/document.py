@@ -1,4 +1,4 @@
-"""What every report is before it is shown: a small tree of words and tables.
+"""A report before it is rendered: a small tree of text and tables.
 
     Document ── verdict, main results
              ├─ Section ── lines
@@ -80,7 +80,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a reader with five seconds should take away.
+    """The result in one word and one sentence.
 
     word : PASS, FAIL, AGREE, DIFFER, …;  text : a sentence;  good : whether the exit code is 0
     """

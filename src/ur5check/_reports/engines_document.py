@@ -64,7 +64,7 @@ def _torques(report: EngineReport) -> Table:
         rows.append(Row((REGISTRY[a].title, *cells)))
     note = f"The largest of {len(report.states):,} states"
     extra = len(report.states) - report.samples
-    note += f", {extra} of them found by search for the worst." if extra else "."
+    note += f", {extra} of them found by gradient ascent." if extra else "."
     if report.repaired is not None:
         note = f"Above the diagonal: as read. Below it: repaired. {note}"
     return Table((Column("|Δτ| [N m]"), *columns), tuple(rows), note=note)
@@ -77,7 +77,7 @@ def _torque(stage: Stage, a: str, b: str) -> str:
 
 
 def _answers(report: EngineReport, limit: float) -> Table:
-    """Every answer of every engine against the reference."""
+    """Torque, M, h, accelerations and tool of every engine against the reference."""
     rows = []
     for name, stage in report.stages():
         for key in stage.matrix.keys[1:]:
@@ -103,7 +103,7 @@ def _answers(report: EngineReport, limit: float) -> Table:
             Column("worst joint"),
         ),
         tuple(rows),
-        title="Every answer against the hand-written recursion",
+        title="Each engine against the hand-written recursion",
         note="h = C q̇ + g. Accelerations under equal torques, relative to the largest.",
     )
 
@@ -116,7 +116,7 @@ def _imports(report: EngineReport) -> Section:
         for row in _differences(reading)
     ]
     if not rows:
-        return Section("Import differences", ("Nothing.",))
+        return Section("Import differences", ("None.",))
     explained = "They explain all torque differences." if report.explained else ""
     table = Table(
         (

@@ -1,4 +1,4 @@
-"""An explained difference in about five lines: what, why, what is left, where it is worst."""
+"""An explained difference in about five lines: size, mistakes, remainder, worst state."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MOST_MISTAKES = 4
 
 
 def summarize(explanation: Explanation) -> tuple[str, ...]:
-    """The verdict, the mistakes that explain it, what they leave, the worst posture."""
+    """The verdict, the mistakes that explain it, the remainder, the worst state."""
     difference = explanation.difference
     summary = difference_summary.summarize(difference)
     if difference.agrees:
@@ -72,17 +72,17 @@ def _rest(explanation: Explanation) -> str:
     diagnosis = explanation.diagnosis
     if not diagnosis.mistakes:
         return difference_summary.contributions_in_words(explanation.difference)
-    left = f"{diagnosis.after:.2g} N m RMS of {diagnosis.before:.3g} are left"
+    left = f"{diagnosis.after:.2g} of {diagnosis.before:.3g} N m RMS remain"
     if diagnosis.after <= 1e-9 * diagnosis.before:
-        return "With everything repaired no difference is left."
+        return "After all repairs no difference remains."
     unnamed = [
         f"link {s.link + 1}'s {s.quantity}"
         for s in sorted(diagnosis.unexplained, key=lambda s: -s.gap)
     ]
     if not unnamed:
-        return f"With everything repaired {left}: rounding of the numbers."
+        return f"After all repairs {left}: rounding of the numbers."
     numbers = joined(unnamed)
-    return f"With that repaired {left}; no known mistake explains {numbers}."
+    return f"After these repairs {left}; no known mistake explains {numbers}."
 
 
 def _worst(explanation: Explanation) -> str:
@@ -96,6 +96,6 @@ def _worst(explanation: Explanation) -> str:
     share = "" if worst.effort_share is None else f", {worst.effort_share:.0%} of its limit"
     name = difference.pair.a.joints[joint - 1].name
     return (
-        f"Worst within limits: joint {joint} ({name}) is {worst.value:.3g} N m off{share}, "
+        f"Worst state within limits: {worst.value:.3g} N m at joint {joint} ({name}){share}, "
         f"at q = ({posture})°."
     )

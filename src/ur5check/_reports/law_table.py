@@ -1,4 +1,4 @@
-"""The laws as one compact table: what must hold, how far from true it is, how far it may be."""
+"""The laws as one compact table: law, deviation, tolerance."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def _tightest(law: list[Outcome]) -> Outcome:
 
 
 def _used(outcome: Outcome) -> tuple[bool, float]:
-    """What fails counts more than what holds; then by the value."""
+    """Failing laws first, then by value."""
     if math.isnan(outcome.value):
         return True, math.inf
     return not outcome.passed, -outcome.value if outcome.positive else outcome.value

@@ -31,7 +31,7 @@ def alignment_lines(d: Difference) -> tuple[str, ...]:
             shifted.append(f"{joint.name} by {by}")
     base = base_in_words(alignment.T_ab)
     parts = [
-        f"{b.label} stands on the same base as {a.label}"
+        f"{a.label} and {b.label} have the same base frame"
         if base == "the same"
         else f"the base of {b.label} is {base} (seen from {a.label})",
         f"reversed: {joined(reversed_joints)}" if reversed_joints else "no joint reversed",

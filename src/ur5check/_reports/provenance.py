@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Provenance", "inputs_of", "library_versions"]
 
-# What a report calls a library, and the distribution that installs it.
+# Name of a library in a report, and the distribution that installs it.
 _LIBRARIES = {
     "pinocchio": "pin",
     "numpy": "numpy",

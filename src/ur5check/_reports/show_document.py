@@ -1,4 +1,4 @@
-"""What `show` shows: an arm as it was understood, in the frames of its own file."""
+"""What `show` shows: an arm as it was read, in the frames of its own file."""
 
 from __future__ import annotations
 
@@ -95,9 +95,10 @@ def _geometry(arm: SerialArm) -> Table:
         )
         rows.append(Row((of, pose, coordinates(T.p, 1e-3), turn)))
     return Table(
-        (Column("of"), Column("pose of"), Column("at [mm]"), Column("turned by")),
+        (Column("link"), Column("pose of"), Column("position [mm]"), Column("rotation")),
         tuple(rows),
-        note="Seen from where the joint before it leaves off, in the joint's zero position.",
+        note="In the link's frame at its joint, in the joint's zero position; base: in the base "
+        "frame.",
     )
 
 
@@ -109,7 +110,7 @@ def _bodies(arm: SerialArm) -> Table:
     return Table(
         (Column("link"), Column("mass [kg]", number=True), Column("centre of mass [m]")),
         tuple(rows),
-        note="Fixed links are counted with the moving link that carries them.",
+        note="Links fixed to a moving link are part of it.",
     )
 
 
@@ -124,5 +125,5 @@ def _tensors(arm: SerialArm) -> Table:
         (Column("link"), *(Column(f"I{name}", number=True) for name, _, _ in entries)),
         tuple(rows),
         title="Tensor about the centre of mass [kg m²]",
-        note="Along the axes of the frame in which the source writes each link.",
+        note="Along the axes of the link's frame in the source.",
     )

@@ -1,4 +1,4 @@
-"""What `simulate` shows: stands or moves, the torques that decided it, and the drift over time."""
+"""What `simulate` shows: the verdict, the torques at the start, and the drift over time."""
 
 from __future__ import annotations
 
@@ -41,14 +41,13 @@ def _torques(s: StaticHold) -> Section:
             Table(
                 (
                     Column("joint"),
-                    Column("given [N m]", number=True),
+                    Column("applied [N m]", number=True),
                     Column("needed [N m]", number=True),
-                    Column("too much [N m]", number=True),
+                    Column("difference [N m]", number=True),
                     Column("of the limit [%]", number=True),
                 ),
                 tuple(rows),
-                note=f"Given: what holds {s.pair.b.label}. Needed: what holds {s.pair.a.label}, "
-                "the arm that moves.",
+                note=f"Applied: holds {s.pair.b.label}. Needed: holds {s.pair.a.label}, the plant.",
             ),
         ),
     )
@@ -82,7 +81,7 @@ def _drift(s: StaticHold) -> Section:
                     Column("energy [J]", number=True),
                 ),
                 tuple(rows),
-                note="Tool: straight distance from where it started. 1 … : turn of each joint. "
+                note="Tool: distance from its start. 1 … : displacement of each joint. "
                 "Energy: kinetic and potential energy less the work of the torques; an exact "
                 "integrator leaves 0.",
             ),
@@ -92,14 +91,14 @@ def _drift(s: StaticHold) -> Section:
 
 def _mover(s: StaticHold) -> Section:
     m = s.mover
-    step = "steps of its own choice" if m.dt is None else f"steps of {m.dt:g} s"
+    step = "variable step" if m.dt is None else f"steps of {m.dt:g} s"
     lines = [f"{m.name} {m.version}, integrator {m.integrator}, {step}."]
     if m.dt is not None:
-        lines.append("Its import was checked: it holds the bodies of the plant, and no others.")
+        lines.append("The imported model was checked: its bodies are those of the plant.")
     if m.repaired:
         lines.append(
-            f"Given the file as it is, it would have held another arm: {'; '.join(m.repaired)}. "
-            "The file was rewritten for it."
+            f"The engine reads the file with errors: {'; '.join(m.repaired)}. The file was "
+            "rewritten for it."
         )
-    lines.append("No joint stop, friction, damping or contact takes part.")
-    return Section("Who moved the arm", tuple(lines))
+    lines.append("Joint stops, friction, damping and contact are not simulated.")
+    return Section("Integration", tuple(lines))

@@ -1,4 +1,4 @@
-"""What came of test 9, in sentences: the verdict first."""
+"""The result of a static hold in sentences, the verdict first."""
 
 from __future__ import annotations
 
@@ -21,11 +21,13 @@ def verdict(s: StaticHold) -> str:
 
 def summarize(s: StaticHold) -> list[str]:
     """Main results, one sentence each."""
-    return [line for line in (_torque(s), _drift(s), _ended(s), _pencil(s), _energy(s)) if line]
+    return [
+        line for line in (_torque(s), _drift(s), _ended(s), _instability(s), _energy(s)) if line
+    ]
 
 
 def reason(s: StaticHold) -> str:
-    """Why the threshold is where it is."""
+    """The reason of the thresholds."""
     return (
         f"It stands if the tool stays within {1e3 * STILL:g} mm, the repeatability on a UR5's data "
         f"sheet, and each joint within {np.degrees(s.still_angle):.2g}°, which moves the tool of "
@@ -48,10 +50,10 @@ def _torque(s: StaticHold) -> str:
     gap = s.given - s.needed
     worst = int(np.abs(gap).argmax())
     if s.stands and np.abs(gap).max() <= 1e-9 * max(1.0, np.abs(s.needed).max()):
-        return "At the start the joints are given what they need, to the last digits."
+        return "At the start the applied torques are those needed, to rounding."
     turned = ", the wrong sign" if s.given[worst] * s.needed[worst] < 0.0 else ""
     return (
-        f"At the start joint {worst + 1} is given {s.given[worst]:+.2f} N m where it needs "
+        f"At the start joint {worst + 1} is given {s.given[worst]:+.2f} N m and needs "
         f"{s.needed[worst]:+.2f} N m{turned}."
     ).replace("-", "−")
 
@@ -60,8 +62,8 @@ def _drift(s: StaticHold) -> str:
     joints = np.degrees(np.abs(s.joint_drift[-1]))
     worst = int(joints.argmax())
     return (
-        f"At {s.motion.t[-1]:.3g} s the tool is {_millimetres(s.tool_drift[-1])} from where it "
-        f"was, and joint {worst + 1} has turned by {joints[worst]:.3g}°."
+        f"At {s.motion.t[-1]:.3g} s the tool is {_millimetres(s.tool_drift[-1])} from its "
+        f"start, and joint {worst + 1} has turned by {joints[worst]:.3g}°."
     )
 
 
@@ -79,24 +81,24 @@ def _ended(s: StaticHold) -> str:
     where = int(np.argmin(ends))
     what = "its limit" if np.isfinite(ends[where]) else "a full turn"
     return (
-        f"There joint {where + 1} has reached {what}, and the simulation ends: a real arm would "
+        f"Then joint {where + 1} has reached {what}, and the simulation ends: a real arm would "
         "have met its stop."
     )
 
 
-def _pencil(s: StaticHold) -> str:
+def _instability(s: StaticHold) -> str:
     if not s.held or s.growth == 0.0:
         return ""
     return (
-        "Under constant torques this posture is a pencil on its tip: any error grows by a factor e "
-        f"every {1.0 / s.growth:.2f} s."
+        "Under constant torques this posture is an unstable equilibrium: any error grows by a "
+        f"factor e every {1.0 / s.growth:.2f} s."
     )
 
 
 def _energy(s: StaticHold) -> str:
-    part = "" if s.stands else f" ({s.energy.relative:.0e} of what was turned over)"
+    part = "" if s.stands else f" ({s.energy.relative:.0e} of the energy exchanged)"
     return (
-        f"Energy that came from nowhere: at most {s.energy.worst:.2g} J{part}, the error of "
+        f"Energy error: at most {s.energy.worst:.2g} J{part}, the error of "
         f"{s.mover.name}'s integrator."
     )
 

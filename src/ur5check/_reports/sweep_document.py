@@ -44,7 +44,7 @@ def _joints(s: Sweep) -> Section:
     said = (
         f"{sample_in_words(s).capitalize()}, in {s.pair.a.label}'s joint coordinates; "
         f"the axes are {'' if exact else 'NOT '}the same lines in space.",
-        f"Quantiles are good to {RELATIVE_ERROR:.1%} of themselves. The maxima are those of these "
+        f"Relative error of quantiles: {RELATIVE_ERROR:.1%}. The maxima are those of these "
         "states; `ur5check diff` searches for larger ones.",
     )
     tolerance = () if s.plan.tolerance is None else (limit_table(s),)
@@ -53,7 +53,7 @@ def _joints(s: Sweep) -> Section:
 
 
 def _sizes(s: Sweep) -> Section:
-    return Section("How often how much", (), (decade_table(s),))
+    return Section("Distribution of the difference", (), (decade_table(s),))
 
 
 def _reach(s: Sweep) -> Section:
@@ -63,4 +63,4 @@ def _reach(s: Sweep) -> Section:
         f"{which}, by the tool's distance from the z axis of {s.pair.a.label}'s base and its "
         "height above that base; per cell, the largest difference of any joint."
     )
-    return Section("Where the tool is", (said,), (reach_table(s),))
+    return Section("Reach map", (said,), (reach_table(s),))

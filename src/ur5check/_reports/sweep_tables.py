@@ -64,7 +64,7 @@ def worst_table(s: Sweep) -> Table:
             Row((joint.name, f"{s.statistics.worst[j]:,}", posture(s.worst_state(j)["q"], joints)))
             for j, joint in enumerate(joints)
         ),
-        title="Where the maxima are",
+        title="States of the maxima",
     )
 
 
@@ -77,9 +77,9 @@ def motion_table(s: Sweep) -> Table:
         motion = (posture(state[part], joints) for part in ("qd", "qdd"))
         rows.append(Row((joint.name, *motion)))
     return Table(
-        (Column("joint"), Column("speeds [°/s]"), Column("accelerations [°/s²]")),
+        (Column("joint"), Column("velocities [°/s]"), Column("accelerations [°/s²]")),
         tuple(rows),
-        title="How the joints move there",
+        title="Velocities and accelerations of these states",
     )
 
 
@@ -106,7 +106,7 @@ def limit_table(s: Sweep) -> Table:
             )
             for j, joint in enumerate(s.pair.a.joints)
         ),
-        title="Over the limit",
+        title="States above the tolerance",
     )
 
 

@@ -1,6 +1,5 @@
-"""What `validate` shows.  Three questions under three headings, which never mix:
-
-is the algorithm right, could the bodies exist, are the numbers of two models explained?
+"""What `validate` shows.  Three separate questions: is the algorithm right,
+could the bodies exist, are the numbers of two models explained?
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Numbers and joint states as a reader wants to see them."""
+"""Numbers and joint states as text."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MISSING = "–"
 
 
 def figures(value: float | None) -> str:
-    """Four significant digits; two for what is all but nothing (4.5e-14)."""
+    """Four significant digits; two for what is close to zero (4.5e-14)."""
     if value is None or math.isnan(value):
         return MISSING
     if value == 0.0 or math.isinf(value):
@@ -41,7 +41,7 @@ def figures(value: float | None) -> str:
 
 
 def residue(value: float) -> str:
-    """Two significant digits for what is next to nothing, as it ought to be; else all four."""
+    """Two significant digits for what should be zero and nearly is; else four."""
     return f"{value:.1e}" if 0.0 < abs(value) < 1e-3 else figures(value)
 
 

@@ -15,7 +15,7 @@ from examples import random_arm
 from ur5check import strategies as ur5
 from ur5check._comparison.arm_pair import pair_up
 from ur5check._comparison.worst_case.gradient_ascent import Ascent, Gap, joint_gain, squared_sum
-from ur5check._comparison.worst_case.state_box import effort_limits, state_box
+from ur5check._comparison.worst_case.state_box import state_box
 from ur5check._comparison.worst_case.worst_case import worst_cases
 from ur5check._errors import UsageError
 from ur5check._robot import Inertia, Joint, Limits, Link, SerialArm, Source, Transform
@@ -141,7 +141,7 @@ def test_file_behind_an_arm_does_not_stand_in_for_it():
 
 def test_unknown_effort_limits_are_said():
     pair = pair_up(ur5check.load("paper"), ur5check.load("paper-listing"))
-    assert np.isnan(effort_limits(pair)).all()
+    assert np.isnan(pair.effort_limits).all()
     cases = worst_cases(pair, random_states=100, starts=1)
     assert {case.unit for case in cases} == {"N m"}
     assert {case.effort_share for case in cases} == {None}
@@ -152,7 +152,7 @@ def test_box_takes_a_then_b_then_the_default():
     b = pendulum(1.0, Limits(lower=-2.0, upper=2.0, velocity=1.5, effort=1e308))
     box = state_box(pair_up(a, b), 7.0)
     assert (box.lower, box.upper, box.rate, box.acceleration) == (-1.0, 2.0, 3.2, 7.0)
-    assert np.isnan(effort_limits(pair_up(a, b))).all()
+    assert np.isnan(pair_up(a, b).effort_limits).all()
 
 
 @pytest.mark.parametrize("together", [False, True])

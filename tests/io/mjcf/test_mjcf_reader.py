@@ -230,7 +230,7 @@ TENDON = '<tendon><fixed name="t" {}><joint joint="elbow" coef="1"/></fixed></te
         ({"bottom": TENDON.format('stiffness="3"')}, "tendon 't': acts on the arm's joints"),
         ({"elbow": 'type="ball"'}, "is ball: neither hinge nor slide"),
         ({"elbow": 'stiffness="3"'}, "joint 'elbow' stiffness: is a spring"),
-        ({"elbow": 'range="30 -30"'}, "lower exceeds upper, which MuJoCo takes for no limit"),
+        ({"elbow": 'range="30 -30"'}, "lower exceeds upper, so that MuJoCo ignores the limit"),
         ({"elbow": 'armature="nan"'}, "joint 'elbow' armature: is not finite"),
         ({"top": '<option density="1.2"/>'}, "the arm moves in a fluid"),
         ({"inside": '<plugin plugin="x"/>'}, "<plugin>: is code"),

@@ -1,1 +1,1 @@
-"""Whether a link of this size could have this mass and inertia: findings, not failures."""
+"""Whether a link of this size can have this mass and inertia: findings, not failures."""

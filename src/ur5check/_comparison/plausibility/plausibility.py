@@ -1,6 +1,6 @@
-"""Could a link of this size weigh this much, and turn this hard?  Findings, link by link.
+"""Findings on mass and inertia of each link, given its size.
 
-The laws of dynamics hold for any numbers.  A body has a shape, though, and its mass lies in it:
+The laws of dynamics hold for any numbers. A body has a shape, and its mass lies within it:
 
     pseudo-inertia     J = [[Σ, m c], [(m c)ᵀ, m]] is positive definite, Σ = ∫ x xᵀ dm
                        (Wensing, Kim & Slotine 2018)
@@ -11,9 +11,9 @@ The laws of dynamics hold for any numbers.  A body has a shape, though, and its 
     density            m / V
 
 The first four are theorems: a number beyond them is impossible for the body that the mesh shows.
-The rest are known issues of robots, with a reason beside each bound: beyond them a number is
-suspicious. Without a mesh there is only the reach of a link, from joint to joint, and the words are
-weaker.
+The density, and the bounds of `plausible_reach`, are
+ranges of robot arms, with a reason beside each bound: outside them a number is suspicious. Without
+a mesh only the reach of a link, from joint to joint, is known, and no finding is "impossible".
 """
 
 from __future__ import annotations
@@ -29,25 +29,25 @@ __all__ = ["Plausibility", "plausibility"]
 
 
 def plausibility(arm: ArmSource, meshes: Meshes | None = None) -> tuple[Plausibility, ...]:
-    """What is odd about an arm's numbers, link by link, then about the whole arm.
+    """Implausible numbers of an arm, link by link, then of the whole arm.
 
     meshes : the links' shapes (default: those that the arm's URDF names, see `link_meshes`)
 
-    Nothing found is an empty tuple.  Findings are no failures: a vendor may have reasons.
+    Empty if there are none. Findings are not failures: the numbers may be right.
     """
     arm = as_arm(arm)
     if meshes is not None:
         instance("meshes", meshes, Meshes, "leave it out to use those that the URDF names")
     shown = link_meshes(arm) if meshes is None else meshes
     findings = [
-        Plausibility("note", None, arm.name, "mesh", None, None, "", f"Not held against: {note}.")
+        Plausibility("note", None, arm.name, "mesh", None, None, "", f"Not checked: {note}.")
         for note in shown.notes
     ]
     for number, (link, shapes) in enumerate(zip(arm.links, shown.links, strict=True), 1):
         own = body_findings(number, link)
         findings += own
         if link.inertia.mass <= 0.0:
-            continue  # said above, and nothing below has a meaning for it
+            continue  # reported above; the checks below need a mass
         if shapes:
             findings += extent_findings(number, link, shapes)
         else:

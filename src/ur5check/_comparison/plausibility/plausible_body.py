@@ -1,4 +1,4 @@
-"""Could any body at all have these ten numbers?  Pseudo-inertia and triangle inequality."""
+"""Physical consistency of ten inertial parameters: pseudo-inertia and triangle inequality."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["Plausibility", "Severity", "body_findings"]
 
 Severity = Literal["note", "suspicious", "impossible"]
 
-#: Least of I_a + I_b − I_c as a share of I_c below which a body is all but flat.  A plate that is a
+#: Least of I_a + I_b − I_c as a share of I_c below which a body is nearly flat.  A plate that is a
 #: hundred times wider than thick has 2e-4: no link of an arm is one.
 _FLAT = 1e-3
 _SOLVER = 64 * float(np.finfo(np.float64).eps)  # of the largest moment: eigvalsh's own error
@@ -21,13 +21,14 @@ _SOLVER = 64 * float(np.finfo(np.float64).eps)  # of the largest moment: eigvals
 
 @dataclass(frozen=True)
 class Plausibility:
-    """One thing that is odd about an arm's numbers.
+    """One implausible number of an arm.
 
-    severity : "note", "suspicious" (no known issue of robots) or "impossible" (for such a body)
+    severity : "note", "suspicious" (outside the range of robot arms) or "impossible" (for such a
+        body)
     link, name : number, from 1, and name; None and the arm's name for the whole arm
-    quantity : what was looked at;  value, bound, unit : what was found, and what it was held
-        against; None where there is no number
-    sentence : what to tell the reader
+    quantity : what was checked;  value, bound, unit : the number and its bound; None where there
+        is no number
+    sentence : for the report
     """
 
     severity: Severity
@@ -52,10 +53,10 @@ def body_findings(number: int, link: Link) -> list[Plausibility]:
     largest = float(np.abs(moments).max())
     margin, m = inertia.triangle_margin(), inertia.mass
     if m < 0.0 or (m == 0.0 and largest > 0.0):
-        sentence = f"{name}: a mass of {m:.4g} kg with an inertia is no body's."
+        sentence = f"{name}: a mass of {m:.4g} kg with an inertia: no body has these."
         return [Plausibility("impossible", number, name, "mass", m, 0.0, "kg", sentence)]
     if m == 0.0:
-        sentence = f"{name} moves but weighs nothing."
+        sentence = f"{name} moves but has no mass."
         return [Plausibility("note", number, name, "mass", 0.0, 0.0, "kg", sentence)]
     if largest == 0.0:
         sentence = f"{name}: {m:.4g} kg in one point; a body has extent, and an inertia tensor."
@@ -66,7 +67,7 @@ def body_findings(number: int, link: Link) -> list[Plausibility]:
         quantity, least = "principal moment", float(moments[0])
         return [Plausibility("suspicious", number, name, quantity, least, 0.0, "kg m²", sentence)]
     if moments[0] < 0.0:
-        # Σ_c's least eigenvalue a kilogram: the square of a spread, which cannot be negative.
+        # Least eigenvalue of Σ_c per kilogram: a mean square distance, which cannot be negative.
         sentence = (
             f"{name}: the inertia tensor has a negative principal moment, {moments[0]:.4g} kg m²: "
             "the pseudo-inertia is not positive definite, and no mass distribution has it."

@@ -21,7 +21,7 @@ __all__ = ["extent_findings"]
 #: How far a mesh may be from the body that it shows [m]: rounded edges, covers, screws.
 _MARGIN = 0.005
 
-#: k of the link against k of its hull filled evenly.  All mass at the ends of a rod gives √3; all
+#: k of the link over k of its hull filled evenly.  All mass at the ends of a rod gives √3; all
 #: of it in a middle part of the same form, a fifth as large, gives ⅕.
 _WIDEST, _NARROWEST = float(np.sqrt(3.0)), 0.2
 
@@ -39,7 +39,7 @@ def extent_findings(number: int, link: Link, shapes: Sequence[Shape]) -> list[Pl
     try:
         hull = ConvexHull(points)
     except QhullError:
-        return []  # shapes so flat that they enclose nothing say nothing about a body
+        return []  # flat shapes enclose no volume and say nothing about a body
     findings = _centre(number, link.name, inertia, hull)
     findings += _gyration(number, link.name, inertia, hull)
     return findings + _density(number, link.name, inertia.mass, shapes)
@@ -64,10 +64,10 @@ def _centre(number: int, name: str, inertia: Inertia, hull: ConvexHull) -> list[
 
 
 def _gyration(number: int, name: str, inertia: Inertia, hull: ConvexHull) -> list[Plausibility]:
-    """The principal axis whose radius of gyration is farthest off, if one is."""
+    """A finding on the principal axis with the most implausible radius of gyration, if any."""
     moments, axes = np.linalg.eigh(inertia.tensor)
     if moments[0] < 0.0:
-        return []  # no radius; the pseudo-inertia says what is wrong
+        return []  # no radius; the check of the pseudo-inertia reports this
     k = np.sqrt(moments / inertia.mass)
     farthest = _distances(hull.points[hull.vertices] - inertia.com, axes).max(axis=0)
     over = k / (farthest + _MARGIN)
@@ -106,7 +106,7 @@ def _distances(points: Array, axes: Array) -> Array:
 
 
 def _even_tensor(hull: ConvexHull) -> Array:
-    """Inertia a kilogram of the hull filled evenly, about its own centre, shape (3, 3) [m²].
+    """Inertia per kilogram of the hull filled evenly, about its own centre, shape (3, 3) [m²].
 
     The hull is cut into tetrahedra with a corner in its middle.  One with corners v_1 … v_4 and
     s = Σ v_i has ∫ x xᵀ dV = V/20 (Σ v_i v_iᵀ + s sᵀ).
@@ -126,7 +126,7 @@ def _even_tensor(hull: ConvexHull) -> Array:
 def _density(number: int, name: str, mass: float, shapes: Sequence[Shape]) -> list[Plausibility]:
     kinds = [[s for s in shapes if s.kind == kind] for kind in ("visual", "collision")]
     shown = [kind for kind in kinds if kind]
-    # A surface that closes has a volume; where none does, hulls of the simpler shapes must do.
+    # A closed surface has a volume; where none is closed, the hulls of the simpler shapes are used.
     best = next((kind for kind in shown if all(s.closed for s in kind)), shown[-1])
     volume = sum(shape.volume for shape in best)
     density = mass / volume

@@ -1,7 +1,7 @@
-"""A link's numbers against its reach, where there is no mesh; and the arm as a whole.
+"""A link's numbers against its reach, where there is no mesh; and those of the whole arm.
 
-A link reaches from its joint to the next one.  Its body may stick out at either end and to the
-sides, so nothing here is impossible: only suspicious.
+The reach of a link is the distance from its joint to the next one. Its body may extend beyond
+either end and to the sides, so a finding here is never "impossible", only "suspicious".
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ __all__ = ["reach_findings", "whole_findings"]
 _SHORT = 0.05
 
 #: How far past its ends a centre of mass may lie, as a share of the reach.  The body of a link with
-#: a motor at one end is heaviest there, but its middle does not leave the link.
+#: a motor at one end is heaviest there, but its centre lies within the link.
 _OVERSHOOT = 0.25
 
 #: Slender: least principal moment under this share of the next.  Such a body points along its
@@ -35,7 +35,7 @@ _HEAVIER, _LIGHTER = 5.0, 0.01
 
 
 def reach_findings(number: int, link: Link) -> list[Plausibility]:
-    """Radius of gyration, centre of mass and direction against the way from joint to joint."""
+    """Radius of gyration, centre of mass and direction against the vector from joint to joint."""
     reach = link.link_tip_frame.R.T @ link.link_tip_frame.p  # r_{i−1,i}, in frame i
     length = float(np.linalg.norm(reach))
     moments, axes = np.linalg.eigh(link.inertia.tensor)
@@ -47,7 +47,7 @@ def reach_findings(number: int, link: Link) -> list[Plausibility]:
     if k > length:
         sentence = (
             f"{name}: a radius of gyration of {k:.3g} m in a link that reaches {length:.3g} m; "
-            "no mesh says how far its body sticks out."
+            "without a mesh, the extent of its body is unknown."
         )
         quantity = "radius of gyration"
         findings.append(

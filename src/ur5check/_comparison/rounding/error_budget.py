@@ -8,7 +8,7 @@ one after the other, angles first, then 1/12, then gravity, side a before side b
 
 *Bounds*: the largest effect of the last printed digit of all other numbers.  Which way they were
 rounded is unknown, so they explain nothing; a remainder below them needs no explanation.  Numbers
-that stand in both files alike were rounded alike, cancel in Δτ, and are left out.
+that are equal in both files cancel in Δτ and are omitted.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class ErrorBudget:
 
     items : recomputed ones first, in the order of the steps, then bounds
     total : RMS of Δτ;  explained : RMS of the sum of all recomputed items
-    remainder, remainder_maximum : RMS and maximum of what is left to explain
+    remainder, remainder_maximum : RMS and maximum of the unexplained part
     bound : RMS of all bounds together, taken as independent
     rounding : what rounding alone makes of a difference
     """

@@ -1,1 +1,1 @@
-"""The states where two arms disagree most, inside their limits."""
+"""The states of the largest torque difference of two arms within their limits."""

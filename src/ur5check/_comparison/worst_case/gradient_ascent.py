@@ -1,13 +1,14 @@
-"""Climbing to the state where two arms disagree most, with exact gradients.
+"""Gradient ascent to the state of the largest torque difference, with exact gradients.
 
-What is climbed is a function of Δτ = τ_a − τ_b: one joint's s Δτ_j with s = ±1, or ½ Σ (w_j Δτ_j)².
+The objective is a function of Δτ = τ_a − τ_b: one joint's s Δτ_j with s = ±1, or ½ Σ (w_j Δτ_j)².
 The gradient of either goes through ∂Δτ/∂(q, q̇, q̈), which Pinocchio gives exactly; a truncated
-Newton method climbs with it inside the box (docs/worst-case.md has the sources).
+Newton method maximises it inside the box (sources: docs/worst-case.md).
 
-One block of variables needs no search.  Δτ = ΔM q̈ + Δh is linear in q̈, so both functions are
+The accelerations need no search.  Δτ = ΔM q̈ + Δh is linear in q̈, so both functions are
 convex in q̈, and a convex function on a box is largest at a corner.  For one joint the corner is
-known at once: q̈_k = A_k sign(s ΔM_jk).  For the sum, q̈ ← A sign(∇) with the gradient at the corner
-before never goes down, since a convex function lies above its tangents; it ends in a few steps.
+known at once: q̈_k = A_k sign(s ΔM_jk).  For the sum, q̈ ← A sign(∇) with the gradient at the
+previous corner never decreases it, since a convex function lies above
+its tangents; it ends in a few steps.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from ..arm_pair import Pair
 
 __all__ = ["Ascent", "Gap", "joint_gain", "squared_sum"]
 
-#: From Δτ: the number to climb, and its gradient with respect to Δτ, shape (n,).
+#: From Δτ: the objective, and its gradient with respect to Δτ, shape (n,).
 Gain = Callable[[Array], tuple[float, Array]]
 
 _MOST_CORNERS = 20  # two or three, as measured
@@ -64,22 +65,22 @@ class Gap:
 
 
 def _as_a_value(arm: SerialArm) -> SerialArm:
-    # Asked here is the arm at hand, with whatever inertias it carries, not the file behind it.
+    # The arm with its present inertias, not the file that it was read from.
     return replace(arm, source=Source())
 
 
 @dataclass(frozen=True, eq=False)
 class Ascent:
-    """A climb in the box lower ≤ x ≤ upper, each of shape (3 n,)."""
+    """Gradient ascent in the box lower ≤ x ≤ upper, each of shape (3 n,)."""
 
     gap: Gap
     lower: Array
     upper: Array
 
     def climb(self, start: Array, gain: Gain, *, digits: int = 5) -> tuple[float, Array]:
-        """The top reached from `start`: the gain there and x.
+        """The local maximum reached from `start`: the objective there and x.
 
-        digits : how many of the gain's are wanted, about.  Never ends below its start.
+        digits : significant digits of the objective, about. Never ends below its start.
         """
         free = self.lower < self.upper
         value, x = self.best_corner(start, gain)
@@ -109,7 +110,7 @@ class Ascent:
         return max((value, x), self.best_corner(top, gain), key=lambda reached: reached[0])
 
     def best_corner(self, x: Array, gain: Gain) -> tuple[float, Array]:
-        """x with the accelerations that serve best, at the same positions and velocities."""
+        """x with the best accelerations at the same positions and velocities."""
         part = slice(2 * len(x) // 3, len(x))
         value, slope = self._gain(x, gain)
         for _ in range(_MOST_CORNERS):
@@ -124,7 +125,7 @@ class Ascent:
         return value, x
 
     def better_corner(self, x: Array, gain: Gain) -> Array:
-        """x, or x with its velocities in their own corner of the box, whichever promises more."""
+        """x, or x with velocities at a corner of the box, by the larger objective."""
         rates = slice(len(x) // 3, 2 * len(x) // 3)
         corner = x.copy()
         corner[rates] = np.where(x[rates] < 0.0, self.lower[rates], self.upper[rates])

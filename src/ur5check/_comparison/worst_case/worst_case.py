@@ -1,8 +1,8 @@
-"""Where two arms disagree most: the state within the limits that makes Δτ = τ_a − τ_b largest.
+"""The state within the limits at which Δτ = τ_a − τ_b is largest.
 
-Random states show the size of a disagreement but not its maximum: the worst state lies on corners
-of the box of velocities and accelerations, where a random one is never drawn.  So the best of many
-random states are only where the climb begins (`ascent`), and the answer is never below them.
+Random states show the size of a difference but not its maximum: the worst state lies on corners
+of the box of velocities and accelerations, where random states do not. The best of many random
+states are therefore the starts of a gradient ascent; the result is never below them.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ ROUNDING = 64 * float(np.finfo(np.float64).eps)
 
 @dataclass(frozen=True)
 class WorstCase:
-    """The largest disagreement that was found, and where.
+    """The largest torque difference that was found, and its state.
 
     what : "one joint" or "all joints together"
     joint : number, from 1; None for all together
@@ -39,8 +39,8 @@ class WorstCase:
     effort_share : the value as a share of the effort limit; None where that is not known
     state : q, qd and qdd, n numbers each
     best_random : the value at the best of the random states
-    starts : climbs begun; 0 where nothing but rounding parts the two arms
-    evaluations : evaluations of Δτ and its gradient by the climbs
+    starts : ascents begun; 0 where the two arms differ by rounding only
+    evaluations : evaluations of Δτ and its gradient
     """
 
     what: Literal["one joint", "all joints together"]
@@ -57,7 +57,7 @@ class WorstCase:
 
 @dataclass(frozen=True, eq=False)
 class _Question:
-    """What is to be largest: √Σ (w_j Δτ_j)², with one weight 1 and the others 0 for one joint."""
+    """The objective: √Σ (w_j Δτ_j)², with one weight 1 and the others 0 for one joint."""
 
     joint: int | None  # from 0
     weights: Array
@@ -71,7 +71,7 @@ class _Question:
         return np.asarray(np.linalg.norm(self.weights * delta, axis=-1))
 
     def gain(self, delta: Array) -> Gain:
-        """What to climb from a state with this Δτ, shape (n,): a joint's Δτ keeps its sign."""
+        """The objective from a state with this Δτ, shape (n,); the sign of Δτ_j is kept."""
         if self.joint is None:
             return squared_sum(self.weights)
         return joint_gain(self.joint, 1.0 if delta[self.joint] >= 0.0 else -1.0, len(delta))
@@ -85,15 +85,15 @@ def worst_cases(
     starts: int = 12,
     random_states: int = 100_000,
 ) -> tuple[WorstCase, ...]:
-    """Where the arms of a pair disagree most: 2 n + 2 answers.
+    """The largest torque differences of a pair: 2 n + 2 results.
 
     First in motion, joint by joint and then all joints together; then in the same order at rest,
     with gravity torque only.  The states lie in `state_box(pair, acceleration)`.
 
     pair : see `pair_up`
-    seed, random_states : the random states that the climbs begin from
+    seed, random_states : the random states at which the ascents begin
     acceleration : bound on |q̈| [rad/s²]
-    starts : climbs for each answer
+    starts : ascents for each result
 
     Raises UsageError for a count below one, a negative seed, or a bound that is no positive number.
     """
@@ -123,7 +123,7 @@ def _questions(pair: Pair) -> list[_Question]:
 
 
 class _Search:
-    """The random states of a pair, moving or at rest, and the climbs that begin from them."""
+    """The random states of a pair, moving or at rest, and the ascents that begin there."""
 
     def __init__(self, pair: Pair, box: StateBox, gap: Gap, states: States, static: bool) -> None:
         self.pair, self.gap, self.states, self.static = pair, gap, states, static
@@ -133,14 +133,14 @@ class _Search:
     def answer(self, question: _Question, starts: int) -> WorstCase:
         sizes = question.values(self.delta)
         before = self.gap.evaluations
-        # The best of each slice of them, not the best of all: those crowd round one top.
+        # The best of each slice, not the best of all: those lie around one maximum.
         slices = min(starts, len(sizes))
         chosen = [int(part + slices * sizes[part::slices].argmax()) for part in range(slices)]
         best = max(chosen, key=lambda k: float(sizes[k]))
         candidates = [self._x(best)]
         if sizes[best] > self.rounding * float(np.linalg.norm(question.weights)):
             candidates += self._tops(chosen, question)
-        # Our own recursion judges, and the best random state stands among the candidates.
+        # Judged by the recursion, with the best random state among the candidates.
         found = States(*np.reshape(candidates, (-1, 3, self.pair.a.n)).swapaxes(0, 1))
         values = question.values(_delta(self.pair, found, self.static)[0])
         winner, j = int(values.argmax()), question.joint
@@ -159,7 +159,7 @@ class _Search:
         )
 
     def _tops(self, chosen: list[int], question: _Question) -> list[Array]:
-        """Where the climbs from these states end; the highest climbed to the last digit."""
+        """Results of the ascents from these states; the highest is refined."""
         gains = [question.gain(self.delta[k]) for k in chosen]
         tops = [
             self.ascent.climb(self.ascent.better_corner(self._x(k), gain), gain)
@@ -175,9 +175,9 @@ class _Search:
 
 
 def _delta(pair: Pair, states: States, static: bool) -> tuple[Array, float]:
-    """Δτ, shape (N, n), by the hand-written recursion, and what of it may be rounding [N m].
+    """Δτ, shape (N, n), by the hand-written recursion, and the part that may be rounding [N m].
 
-    static : whether nothing moves in these states, which spares the terms of motion
+    static : whether all velocities and accelerations are zero, so that their terms are omitted
     """
     tau_a, tau_b = (
         gravity_torque(arm, states.q) if static else rnea(arm, states.q, states.qd, states.qdd)

@@ -12,8 +12,8 @@ next axis and p a point on it:
 - parallel axes: any normal will do; the one through the origin of frame i−1 makes d = 0;
 - the same axis twice: x_i stays as it is, and only α may turn z over.
 
-Of the two directions of x_i the one with the smaller offset is taken.  Frames that are all DH
-frames already stay.  The last frame has the tip's z axis for its next axis.  The rest,
+Of the two directions of x_i the one with the smaller offset is taken.  Frames that are DH frames
+already are kept.  The last frame has the tip's z axis for its next axis.  The rest,
 B C0 before the first row and C_n⁻¹ after the last, are the table's `base` and `tool`.
 """
 
@@ -31,8 +31,7 @@ from ..round_trip import on_grid
 
 __all__ = ["ROUNDING", "DHFrames", "dh_frames"]
 
-#: Rounding of directions and lengths that have passed through a few rotations; below it, zero is
-#: meant.
+#: Rounding of directions and lengths after a few rotations; smaller values are zero.
 ROUNDING = 64 * float(np.finfo(np.float64).eps)
 
 # Axes that are parallel but for a rounded angle meet somewhere; a table whose frames are further
@@ -68,7 +67,7 @@ def dh_frames(arm: SerialArm) -> DHFrames:
         stays = (kept or last) and np.array_equal(axis, _Z) and _is_dh(seen)
         after = Transform.identity() if stays else _next_frame(seen, axis)
         if last and np.abs((seen @ after).p).max() > _FARTHEST:
-            after = seen.inverse()  # the tip's z is no axis that must be met: leave all to the tool
+            after = seen.inverse()  # the tip's z axis need not be met: the tool takes the rest
         link_tip_frame = seen @ after
         if np.abs(link_tip_frame.p).max() > _FARTHEST:
             _refuse(arm, i, float(np.abs(link_tip_frame.p).max()))

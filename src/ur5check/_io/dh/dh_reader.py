@@ -21,7 +21,7 @@
 A row may also give `kind` ("prismatic"), `offset` [rad], `r` (see `DHRow`), `limits` (lower, upper,
 velocity, effort), `armature`, `damping` and `friction` (see `Joint`), and products of inertia ixy,
 ixz, iyz (else zero).  `title` at the top and
-`source` in a row, a table of texts that says where the numbers come from, are for people.
+`source` in a row, a table of texts that says where the numbers come from, are for the reader.
 """
 
 from __future__ import annotations

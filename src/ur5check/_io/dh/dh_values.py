@@ -14,14 +14,14 @@ from .toml_lines import line_of
 
 __all__ = ["Table"]
 
-# Longest arm anybody builds, and more: a length beyond it was meant in millimetres [m].
+# Longer than any arm: a greater length was meant in millimetres [m].
 _LONGEST = 20.0
 
 _PI = re.compile(r"([+-]?)\s*(?:(\d+(?:\.\d+)?)\s*\*\s*)?pi(?:\s*/\s*(\d+(?:\.\d+)?))?", re.ASCII)
 
 
 class Table:
-    """A TOML table with the words to speak of it.
+    """A TOML table, and its place for error messages.
 
     row : which [[joint]], from 0; None for the top of the file
     """

@@ -1,9 +1,10 @@
 """A `SerialArm` as a DH table in a TOML file.
 
 An arm whose frames are no standard DH frames is given such frames first (`dh_frames`), and then
-perhaps a `base` and a `tool`.  P_i = Rot_z(offset) Trans_z(d) Trans_x(a) Rot_x(α) says of its
-rotation only that the third row begins with a zero; offset and α are then read off.  Its
-translation must lie along z and along the turned x.  Where it does not, as in a listing that wrote
+perhaps a `base` and a `tool`.  A rotation P_i = Rot_z(offset) Trans_z(d) Trans_x(a) Rot_x(α) has a
+zero at the start of its third
+row; offset and α are then read off.  Its translation must lie along z and the rotated x.  Where it
+does not, as in a listing that wrote
 r_{i−1,i} out by hand, the row carries `r`, which then stands in place of d and a (see `DHRow`).
 """
 
@@ -23,7 +24,7 @@ from .dh_frames import ROUNDING, dh_frames
 
 __all__ = ["dh_toml_of"]
 
-_DECIMALS = 14  # of a length [m] or angle [rad]: wider than what frames found anew may differ by
+_DECIMALS = 14  # of a length [m] or angle [rad]: wider than the rounding of recomputed frames
 
 
 def dh_toml_of(arm: SerialArm) -> str:
@@ -56,7 +57,7 @@ def dh_toml_of(arm: SerialArm) -> str:
 
 
 def _has_rows(arm: SerialArm) -> bool:
-    """Whether the arm's own frames are those of a table, its reach perhaps written out by hand."""
+    """Whether the arm's own frames are those of a table, with or without explicit vectors r."""
     return (
         np.array_equal(arm.base.matrix(), np.eye(4))
         and all(np.array_equal(joint.axis, (0.0, 0.0, 1.0)) for joint in arm.joints)
@@ -97,7 +98,7 @@ def _row(joint: Joint, link: Link, *, by_hand: bool) -> list[str]:
 
 
 def _angle(value: float) -> float:
-    """On the grid; where a way of several rotations has all but made a quarter turn, that."""
+    """Rounded to the grid; a quarter turn where several rotations give it to rounding."""
     quarter = round(value / (np.pi / 2)) * (np.pi / 2)
     return quarter if abs(value - quarter) <= ROUNDING else angle(value, _DECIMALS)
 

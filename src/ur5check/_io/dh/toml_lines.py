@@ -1,4 +1,4 @@
-"""Where in a TOML text a value stands.  (tomllib keeps no lines.)"""
+"""Line of a value in a TOML text (tomllib keeps no lines)."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ def line_of(text: str, row: int | None, key: str | None) -> int | None:
     row : which [[joint]], from 0; None for the keys above them
     key : None asks for the row's own header
 
-    It looks for what people write, one key a line; in a file that crams more into a line it may
-    point at the row instead.
+    Finds keys that stand on lines of their own; with several on one line, the row's header line may
+    be
+    returned instead.
     """
     lines = text.splitlines()
     headers = [number for number, line in enumerate(lines) if _ROW.match(line)]

@@ -1,4 +1,4 @@
-"""An arm handed over to somebody else's simulator: whole packages, as values; `folder` writes them.
+"""Export to Gazebo: ROS packages as values, and `package_folder` to write them.
 
-`templates/` holds each file as it will stand in a package, blanks written @{so}.
+`templates/` holds each file of a package, with its blanks written @{so}.
 """

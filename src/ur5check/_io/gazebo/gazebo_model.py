@@ -1,13 +1,13 @@
-"""A URDF made fit for Gazebo, and the same with limited joints.
+"""A URDF rewritten for Gazebo, and the same with limited joints.
 
-What Gazebo would do with the file as it is, and what is done about it:
+What Gazebo would do with the unchanged file, and the change:
 
 - its base would fall over: the root is fixed to a link named `world`, which Gazebo knows;
 - joints outside the arm would swing: they are fixed where ur5check holds them still;
-- a base without mass would be dropped with the whole arm: it is given some, without effect;
+- a base without mass would be dropped with the whole arm: it is given a mass, which has no effect;
 - "no limit", written as the largest double, would be out of range: it is written as SDFormat does;
-- two control plugins would fight: transmissions and control plugins are left out, the package
-  brings its own;
+- two control plugins would conflict: transmissions and control plugins are omitted, the package has
+its own;
 - a moving link without mass would be dropped, and all that hangs on it: it is refused.
 
 Fixed joints stay: Gazebo's reader lumps them into the link above, as ur5check does.
@@ -47,7 +47,7 @@ class GazeboModel:
     """urdf, limited : `<robot>` elements as text, without a header
     meshes : files to copy, by their path inside the package
     gravity : of the arm, in the world's frame, shape (3,) [m/s²]
-    notes : what was changed, in sentences
+    notes : the changes, in sentences
     """
 
     urdf: str
@@ -61,7 +61,7 @@ def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: st
     """The model of an arm that came from a URDF's text.
 
     package : name of the ROS package that will hold it;  packages : where its meshes are found
-    file : what errors call the text; relative mesh names are seen from its folder
+    file : name of the text in errors; relative mesh names are seen from its folder
 
     Raises ModelError for a moving link without mass.
     """

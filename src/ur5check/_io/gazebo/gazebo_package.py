@@ -1,6 +1,6 @@
-"""The packages that hand an arm over to Gazebo, as files in memory.
+"""The ROS packages that simulate an arm in Gazebo, as files in memory.
 
-What the paper's launch file did, in the terms of ROS 1 and of ROS 2: an empty world, the arm
+They do what the paper's launch file did, for ROS 1 and ROS 2: an empty world, the arm
 spawned at a height, an effort controller a joint under /ur, joint states, transforms; and a node
 that publishes a computed torque.
 """
@@ -40,9 +40,9 @@ _DISTRIBUTIONS = {
 @dataclass(frozen=True, eq=False)
 class GazeboPackages:
     """files : content by path;  programs : those of them that are run
-    start : where the joints stand at first, length n [rad] or [m]
+    start : initial joint positions, length n [rad] or [m]
     tau : torque that holds them there, shape (n,) [N m] or [N]
-    notes : what a reader should know of the model, in sentences
+    notes : changes to the model, in sentences
     """
 
     files: dict[str, bytes]
@@ -69,7 +69,7 @@ def gazebo_packages(
     licence : of the model;  command : what makes these files again
 
     Raises UsageError for a pose that the arm cannot hold, ModelError for a model that Gazebo would
-    take otherwise than it is written.
+    misread.
     """
     start = start_angles(arm.joints, pose)
     described = _as_urdf(arm, file)
@@ -94,7 +94,7 @@ def gazebo_packages(
 
 
 def _blanks(described: SerialArm, name: str, model: GazeboModel) -> dict[str, str]:
-    """What stands once in a package: names, frames, gravity."""
+    """Blanks that occur once in a package: names, frames, gravity."""
     folders = ["config", "launch", *(["meshes"] if model.meshes else []), "urdf", "worlds"]
     return {
         "version": __version__,

@@ -1,4 +1,4 @@
-"""What a package says once for every joint, as blocks of lines for its templates.
+"""Blocks of lines with one entry for every joint, for the templates of a package.
 
 Controllers are numbered in the arm's order, as the paper numbers them; joints keep their names.
 """
@@ -14,7 +14,7 @@ from ..number_text import exact
 
 __all__ = ["NAMESPACE", "joint_blanks", "yaml_list"]
 
-#: Of everything that belongs to the arm, in the paper's launch file.
+#: Namespace of the arm in the paper's launch file.
 NAMESPACE = "ur"
 
 _FORWARD = "forward_command_controller/ForwardCommandController"
@@ -23,7 +23,7 @@ _FORWARD = "forward_command_controller/ForwardCommandController"
 def joint_blanks(
     names: Sequence[str], start: Sequence[float], tau: Sequence[float]
 ) -> dict[str, str]:
-    """The blanks that grow with the number of joints.
+    """The blanks with one entry for each joint.
 
     start : positions at the beginning [rad, m];  tau : torques that hold them [N m, N]
     """
@@ -67,7 +67,7 @@ def joint_blanks(
 
 
 def yaml_list(values: Sequence[float]) -> str:
-    """Numbers as a YAML list; each with a point, for ROS 2 takes no list of mixed kinds."""
+    """Numbers as a YAML list, each with a decimal point: ROS 2 refuses mixed types."""
     return f"[{', '.join(exact(value) for value in values)}]"
 
 

@@ -1,4 +1,4 @@
-"""Writing a package's folder: all of its files, or nothing."""
+"""Writing a package's folder: all of its files, or none."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def write_folder(
 
     files : content by path inside the folder;  programs : paths of those that may be executed
 
-    Raises UsageError as `check_folder` does, and if the disk refuses.
+    Raises UsageError as `check_folder` does, and if writing fails.
     """
     check_folder(folder)
     target = Path(folder).absolute()

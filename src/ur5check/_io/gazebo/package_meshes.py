@@ -1,8 +1,10 @@
-"""Meshes taken along: a package that names files on the machine it was written on shows nothing.
+"""Copying of meshes into a package, so that it does not depend on files elsewhere.
 
-Each mesh that a link shows or collides with is copied to `meshes/visual` or `meshes/collision`, and
-the URDF says `package://` of the new package.  A mesh that is not found is left out, with a note:
-it bears on no torque.  What a mesh file itself names (textures) is not followed.
+Each visual or collision mesh is copied to `meshes/visual` or `meshes/collision`, and the URDF names
+it by
+`package://` of the new package. A mesh that is not found is omitted, with a note: it has no effect
+on
+torques. Files that a mesh itself names (textures) are not copied.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Edits of a URDF's elements, each for one known issue of Gazebo (`gazebo_model` says which).
 
-They change the tree they are given, and return sentences for who reads the result.
+They change the given tree, and return sentences that describe the change.
 """
 
 from __future__ import annotations

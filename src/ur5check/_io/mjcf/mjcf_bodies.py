@@ -5,8 +5,8 @@ frame: T_parent→body = T · Trans(a) J(q) Trans(−a) · …  All but the last
 massless link of their own.  A joint's `ref` is its coordinate in the posture that the file
 describes.
 
-Numbers come from the file wherever the file says them plainly, since MuJoCo's compiler keeps
-tensors only as principal moments; from the compiler where it made them (angles other than
+Numbers are taken from the file where it states them, since MuJoCo's compiler keeps tensors only as
+principal moments; and from the compiler where it computes them (angles other than
 quaternions, `<frame>`s, masses from shapes, `settotalmass` and its kin).
 """
 
@@ -32,7 +32,7 @@ _SPRING = "remove it: its torque is no rigid body's"
 
 
 def name_all(spec: Any) -> None:
-    """Give a name to every body and joint that has none; MJCF does not ask for any."""
+    """Give a name to every body and joint that has none; MJCF does not require names."""
     for kind, elements in (("body", spec.bodies), ("joint", spec.joints)):
         taken = {element.name for element in elements}
         for number, element in enumerate(elements):
@@ -45,9 +45,9 @@ def name_all(spec: Any) -> None:
 class Bodies:
     """A `Description` of a model's bodies.
 
-    spec, model : MuJoCo's reading of the text and what its compiler made of it
-    sites : those to be taken for frames, by name, because somebody asked for them
-    efforts : what actuators can do at a joint, where that is one number
+    spec, model : MuJoCo's parsed text and the compiled model
+    sites : those that are used as frames, by name, because `base` or `tip` names them
+    efforts : largest effort of the actuators at a joint, where that is one number
     """
 
     def __init__(
@@ -135,7 +135,7 @@ class Bodies:
         return pose
 
     def inertia(self, link: str) -> Inertia | None:
-        """A body's inertia: as the file has it, or as MuJoCo made it from the body's shapes."""
+        """A body's inertia: from the file, or computed by MuJoCo from the body's shapes."""
         if link in self.massless:
             return Inertia.zero()
         body = self._bodies.get(link)
@@ -157,7 +157,7 @@ class Bodies:
     ) -> NoReturn:
         """Raise ModelError at a body or joint."""
         element = self._joints.get(name) if tag == "joint" else self._bodies.get(name)
-        # MuJoCo tells no line of a <freejoint>; its body's is near.
+        # MuJoCo keeps no line of a <freejoint>; its body's line is used.
         info = "" if element is None else element.info or element.parent.info
         file, line = self._text.place(info)
         word = "body" if tag == "link" else tag
@@ -222,7 +222,7 @@ def _written_inertia(body: Any, compiled_quat: Array) -> Inertia:
 
 
 def _changed_by_compiler(compiler: Any) -> bool:
-    """Whether the compiler was told to make other masses than the file's."""
+    """Whether a compiler option changes the masses of the file."""
     return (
         compiler.inertiafromgeom.name == "mjINERTIAFROMGEOM_TRUE"
         or compiler.settotalmass > 0.0

@@ -1,9 +1,8 @@
-"""What acts across the joints of an MJCF model: constraints, tendons, actuators.
+"""Couplings across the joints of an MJCF model: constraints, tendons, actuators.
 
-A serial chain's joints answer to themselves alone.  A constraint or a tendon that ties one of them
-to something else makes another machine of it, and is refused; one that ties bodies which do not
-move against each other, as in a gripper held still, changes nothing.  Actuators tell what a joint
-can do, and may bring the inertia of their motor.
+The joints of a serial chain are independent. A constraint or tendon that couples one of them to
+another body is refused; one between bodies that do not move relative to each other, as in a locked
+gripper, has no effect. Actuators give effort limits, and may add the inertia of their motor.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ _FIX = "choose base= and tip= so that it lies outside the arm, or remove it"
 
 @dataclass(frozen=True)
 class Coupling:
-    """A constraint or tendon.  joints, bodies : those that it ties to each other."""
+    """A constraint or tendon.  joints, bodies : those that it couples."""
 
     what: str
     place: tuple[str, int | None]
@@ -33,9 +32,9 @@ class Coupling:
 
 @dataclass(frozen=True)
 class Motor:
-    """What all actuators of one joint add up to.
+    """The sum of all actuators of one joint.
 
-    effort : the most they give, the same both ways; None where that is not one number
+    effort : their largest effort in both directions; None where that is not one number
     armature, damping : of the motors, seen through their gears
     """
 
@@ -78,7 +77,7 @@ def couplings(spec: Any, text: MjcfText) -> list[Coupling]:
 
 
 def refuse_couplings(found: list[Coupling], bodies: Bodies, chain: Chain) -> None:
-    """Raise ModelError for the first that ties a joint of the chain, or two of its links."""
+    """Raise ModelError for the first that couples a joint of the chain, or two of its links."""
     moving = {edge.joint for edge in chain.moving}
     carrier: dict[str, str] = {}
     for edge in chain.moving:
@@ -101,7 +100,7 @@ def refuse_couplings(found: list[Coupling], bodies: Bodies, chain: Chain) -> Non
 
 
 def motors(spec: Any) -> dict[str, Motor]:
-    """What the actuators and `actuatorfrcrange` say of each joint."""
+    """Efforts and motor inertias of each joint, from actuators and `actuatorfrcrange`."""
     through_tendons = {
         wrap.target.name
         for tendon in spec.tendons
@@ -144,7 +143,7 @@ def _any(value: Any) -> bool:
 
 
 def _strength(actuator: Any) -> float | None:
-    """The largest force of an actuator at its joint, where the file bounds it both ways alike."""
+    """The largest force of an actuator at its joint, where its bounds are symmetric."""
     gear = abs(float(actuator.gear[0]))
     force = _both_ways(actuator.forcerange, actuator.forcelimited)
     if force is not None:

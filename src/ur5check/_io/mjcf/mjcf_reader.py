@@ -1,9 +1,10 @@
 """A MuJoCo model's text (MJCF) to a `SerialArm`, through MuJoCo's own parser and compiler.
 
-Read are bodies, joints, inertials, gravity, defaults, the actuators' ranges, and what ties joints
-to each other.  Left out is what no torque of a rigid arm depends on: sensors, contacts, keyframes,
-pictures, and the shapes of every body whose mass the file states.  A mesh is opened only where
-MuJoCo must make a body's mass of it; then the notes say so, and its hash is kept.
+Read are bodies, joints, inertials, gravity, defaults, the actuators' ranges, and couplings between
+joints. Omitted is what no
+torque of a rigid arm depends on: sensors, contacts, keyframes, textures, and the shapes of every
+body whose mass the file states. A mesh is opened only where MuJoCo computes a body's mass from it;
+a note records this, and the file's hash is kept.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from .mjcf_text import MjcfText
 
 __all__ = ["read_mjcf", "read_mjcf_file"]
 
-# Sections that bear on nothing here; a broken one is no fault of the dynamics.
+# Sections without effect on the dynamics; errors in them are ignored.
 _LEFT_OUT = (
     "sensors", "keys", "pairs", "excludes", "skins", "hfields", "textures", "cameras", "lights",
     "numerics", "texts", "tuples", "actuators", "equalities", "tendons",
@@ -51,7 +52,8 @@ def read_mjcf(
     base : body to start from (default: the body that stands in the world and carries the arm)
     tip : body or site to end at (default: the end of the only chain of moving joints)
 
-    Raises ModelError for a faulty file, for what no serial arm of rigid bodies can hold (a ball, a
+    Raises ModelError for a faulty file, for what is not part of a serial arm of rigid bodies (a
+    ball, a
     free body, a spring, a constraint or tendon across the arm), and where MuJoCo refuses.
     """
     mujoco = _mujoco(file)
@@ -98,7 +100,7 @@ def _mujoco(file: str) -> Any:
 
 
 def _compiled(spec: Any, text: MjcfText) -> Any:
-    """The model without what does not matter, its meshes handed over as bytes."""
+    """The model without the sections ignored here, its meshes passed as bytes."""
     by_shape = spec.compiler.inertiafromgeom.name == "mjINERTIAFROMGEOM_TRUE"
     for geom in list(spec.geoms):
         unweighed = geom.mass == 0.0 or (np.isnan(geom.mass) and geom.density == 0.0)

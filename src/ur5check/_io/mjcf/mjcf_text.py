@@ -1,8 +1,9 @@
-"""An MJCF file and all that it includes as one text, in which every element still knows its place.
+"""An MJCF file and its included files as one text, in which every element keeps its place.
 
-MuJoCo reads the text; what it forgives is refused here first: a document type, numbers that are
-none (MuJoCo warns of a nan and goes on), a swapped range (MuJoCo takes it for no range at all).
-Other files than included ones are not followed: an arm is to be told by what was read and hashed.
+MuJoCo reads the text; what it tolerates is refused here first: a document type, numbers that are
+not finite (MuJoCo only warns), a swapped range (MuJoCo ignores the range).
+Files other than
+included ones are not read: an arm is determined by the files that were read and hashed.
 """
 
 from __future__ import annotations
@@ -75,20 +76,20 @@ class MjcfText:
         ElementReader(self._home(node)).fail(node, element, problem, fix, value)
 
     def place(self, info: str) -> tuple[str, int | None]:
-        """File and line of what MuJoCo says stands in "line 12" of the text it was given."""
+        """File and line of "line 12" in a message of MuJoCo."""
         found = _LINE.search(info)
         node = self._places.at(int(found[1])) if found else None
         return (self.file, None) if node is None else (self._home(node), node.sourceline)
 
     def warnings_of_mujoco(self, error: Exception) -> ModelError:
-        """MuJoCo's refusal in our words."""
+        """MuJoCo's error as a ModelError."""
         file, line = self.place(str(error))
         first, *rest = str(error).strip().splitlines()
         problem = re.sub(r"^((XML )?Error: )+", "", first)
         element = re.search(r"Element (?:name )?'([^']+)'", " ".join(rest))
-        fix = "correct it; MuJoCo's XML reference says what is meant"
+        fix = "correct it by MuJoCo's XML reference"
         if "mjMINVAL" in problem:
-            fix = "give the body an <inertial>, or shapes that weigh something"
+            fix = "give the body an <inertial>, or shapes with mass"
         return ModelError(
             f"MuJoCo cannot take it: {problem}",
             fix=fix,
@@ -113,7 +114,7 @@ class MjcfText:
         return checked_root(data, file)
 
     def _splice(self, include: Element) -> None:
-        """What MuJoCo does: the included file's elements in the place of `<include>`."""
+        """Replace `<include>` by the included file's elements, as MuJoCo does."""
         name = include.get("file")
         if not name:
             self.fail(include, "<include>", "names no file", 'write <include file="…"/>')
@@ -143,7 +144,7 @@ class MjcfText:
     def _check_elements(self) -> None:
         for node in self.root.iter(etree.Element):
             if node.tag in _NO_BODIES and node.getparent().tag != "default":
-                fix = "write rigid bodies out (MuJoCo's spec.to_xml() does), or leave it away"
+                fix = "write rigid bodies out (MuJoCo's spec.to_xml() does), or remove it"
                 problem = f"{_NO_BODIES[node.tag]}: no rigid body that can be read here"
                 self.fail(node, f"<{node.tag}>", problem, fix)
             reader = ElementReader(self._home(node))
@@ -163,7 +164,7 @@ class MjcfText:
             return
         values = reader.numbers(node, attribute, subject) if attribute in node.attrib else ()
         if len(values) == 2 and values[0] > values[1]:
-            problem = "lower exceeds upper, which MuJoCo takes for no limit at all"
+            problem = "lower exceeds upper, so that MuJoCo ignores the limit"
             self.fail(node, f"{subject} {attribute}", problem, "swap them", node.get(attribute))
 
 

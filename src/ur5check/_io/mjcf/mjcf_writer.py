@@ -1,10 +1,10 @@
-"""A `SerialArm` as a MuJoCo model (MJCF) that MuJoCo takes, and that reads back as the same arm.
+"""A `SerialArm` as a MuJoCo model (MJCF) that reads back as the same arm.
 
 Every link is a body with its frame at its joint, its inertial in that frame; the tool is a body
-without mass.  Shapes are left out.  MuJoCo takes no moving body without mass: a massless link's
+without mass.  Shapes are omitted. MuJoCo refuses a moving body without mass: a massless link's
 joint is written into the body that follows, where MuJoCo turns about one joint after the other.
 
-What MJCF cannot say: a joint's velocity limit; a comment names it.  A position limit that is known
+MJCF has no velocity limits of joints; a comment states them.  A position limit that is known
 on one side only has the largest double on the other, which means no limit.
 """
 
@@ -27,7 +27,7 @@ __all__ = ["mjcf_of", "not_said"]
 
 _WORLD = "world"
 _NOTHING_ELSE = (
-    # Degrees are MJCF's default; nothing is to be merged, bounded or balanced.
+    # Degrees are MJCF's default; bodies must not be merged or changed.
     '<compiler angle="radian" autolimits="true" fusestatic="false" balanceinertia="false"/>'
 )
 _MOVED = 8 * float(np.finfo(np.float64).eps)
@@ -37,12 +37,12 @@ def mjcf_of(arm: SerialArm) -> str:
     """The text of an MJCF file that describes this arm.
 
     Base, links and tool are bodies with the arm's names, made unique where two are alike.  An
-    inertia that no body has is written as it is; MuJoCo will refuse it, as it should.
+    inertia that no body can have is written unchanged; MuJoCo will refuse it.
 
     Raises UsageError for an arm whose last link has no mass, which MJCF cannot describe.
     """
     if arm.links[-1].inertia.mass == 0.0:
-        raise UsageError(f"{arm.name!r}: the last link has no mass, and MuJoCo takes no such body")
+        raise UsageError(f"{arm.name!r}: the last link has no mass, and MuJoCo refuses such a body")
     joints = unique_names(arm.joint_names, "joint")
     base, *names = unique_names(
         [arm.source.base, *(link.name for link in arm.links)], "link", [_WORLD]
@@ -150,7 +150,7 @@ def _tip(arm: SerialArm, taken: list[str], pose: Pose) -> list[str]:
 
 
 def _placed(pose: Pose) -> str:
-    """Attributes of a pose; none for the identity, which MJCF takes for granted."""
+    """Attributes of a pose; none for the identity, MJCF's default."""
     words = f' pos="{triple(pose.xyz)}"' if any(pose.xyz) else ""
     turned = any(pose.turn[1:])
     return words + (f' quat="{triple(pose.turn)}"' if turned else "")

@@ -85,7 +85,7 @@ def _parsed(text: SdfText) -> tuple[Any, tuple[str, ...]]:
 
 
 def _refuse_loops(plant: Any, text: SdfText) -> None:
-    """Before Drake does, which names neither joint nor link."""
+    """Checked here since Drake's error names neither joint nor link."""
     moved_by: dict[str, str] = {}
     for joint in map(plant.get_joint, plant.GetJointIndices()):
         child, name = joint.child_body().name(), joint.name()
@@ -97,7 +97,7 @@ def _refuse_loops(plant: Any, text: SdfText) -> None:
 
 @contextmanager
 def _log_kept() -> Iterator[list[str]]:
-    """What Drake warns of goes into the notes, not to stderr before or beside our own words."""
+    """Drake's warnings become notes instead of lines on stderr."""
     said: list[str] = []
     logger, handler = logging.getLogger("drake"), logging.Handler(logging.WARNING)
     handler.emit = lambda record: said.append(record.getMessage())  # type: ignore[method-assign]

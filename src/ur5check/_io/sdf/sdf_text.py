@@ -1,8 +1,8 @@
-"""The strict reading of an SDF: one model, and what its links weigh.
+"""Strict reading of an SDF: one model, and the masses and inertias of its links.
 
-SDFormat has defaults that are hardly ever meant: a link without `<inertial>` has 1 kg and 1 kg m²
-about each axis.  libsdformat fills them in without a warning, so this file looks for them in the
-text first.  Poses (relative to frames, joints relative to links) are left to libsdformat; masses
+SDFormat has defaults that are rarely intended: a link without `<inertial>` has 1 kg and 1 kg m²
+about each axis.  libsdformat fills them in without a warning, so they are looked for in the text
+first.  Poses (relative to frames, joints relative to links) are left to libsdformat; masses
 and inertias are read here, with every digit.
 """
 
@@ -67,8 +67,7 @@ class SdfText:
         return tuple(self._numbers(self._gravity, "<world> gravity", 3)), ()
 
     def inertia(self, name: str) -> Inertia:
-        """A moving link's inertia, in the link's frame.  Raises ModelError where a default of
-        SDFormat would stand in for a number."""
+        """A moving link's inertia, in the link's frame.  Raises ModelError for a default."""
         link, subject = self.links[name], f"link {name!r}"
         inertial = self._inertials[name]
         if (link.findtext("gravity") or "true").strip().lower() in ("false", "0"):
@@ -117,7 +116,7 @@ class SdfText:
         node = self._places.at(int(found[1])) if found else None
         return ModelError(
             f"Drake cannot take it: {self.in_our_words(said)}",
-            fix="correct it; http://sdformat.org/spec says what is meant",
+            fix="correct it by http://sdformat.org/spec",
             file=self.reader.file,
             line=None if node is None else node.sourceline,
         )

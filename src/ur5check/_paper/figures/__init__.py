@@ -1,1 +1,1 @@
-"""Pictures of results.  They compute nothing; matplotlib is loaded when one is drawn."""
+"""Figures of results; nothing is computed here, and matplotlib is loaded when one is drawn."""

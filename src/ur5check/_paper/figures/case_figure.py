@@ -1,4 +1,4 @@
-"""One test case of the paper, all models overlaid; the title says what it shows."""
+"""One test case of the paper, all models overlaid; the title states the result."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def draw_curves(axes: Axes, runs: list[Run], *, thickness: float = 1.0) -> None:
         line = look.line(thickness)
         axes.plot(np.degrees(SWEEP), run.watched, label=f"{look.label}\n{_size(run)}", **line)
     largest = max(run.peak for run in runs)
-    # Where there is nothing to show, a flat line in the middle shows it.
+    # A zero torque is a flat line in the middle.
     axes.set_ylim(*((-1.15 * largest, 1.15 * largest) if largest else (-1.0, 1.0)))
     axes.set_xlim(0, 360)
     axes.set_xticks(range(0, 361, 90))

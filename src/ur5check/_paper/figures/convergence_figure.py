@@ -25,7 +25,7 @@ class _Stroke:
     dashes: tuple[float, ...] | None = None
 
 
-# DART and two of MuJoCo's make the same numbers: narrower lines lie on broader ones.
+# DART and two of MuJoCo's integrators give the same numbers: narrower lines on broader ones.
 _STROKES = {
     "euler": _Stroke(ORANGE, "o", 5.0),
     "implicitfast": _Stroke(INK, "", 2.0),

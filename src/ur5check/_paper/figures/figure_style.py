@@ -1,4 +1,4 @@
-"""How pictures look: colours that every eye can tell apart, and nothing but the data.
+"""Style of the figures: colours that are distinguishable with colour vision deficiency.
 
 Colours are those of Okabe and Ito.  A model has the same colour and line in every picture.
 """
@@ -56,7 +56,7 @@ LOOKS = {
     PINOCCHIO: Look("appendix, by Pinocchio", INK, 1.3, (4, 2)),
 }
 
-#: In legends: what the paper printed, what it comes to, and who else says so.
+#: In legends: what the paper printed, its repair, then the other models.
 READING_ORDER = (PRINTED, REPAIRED, "appendix", PINOCCHIO, "erd-ur5")
 
 
@@ -70,7 +70,7 @@ def matplotlib() -> Any:
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """An empty picture that no window and no global state knows of; sizes in inches."""
+    """An empty figure without window or global state; sizes in inches."""
     matplotlib()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure as Empty

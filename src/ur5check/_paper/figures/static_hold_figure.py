@@ -1,4 +1,4 @@
-"""Test 9 in a picture: the arm as it falls, seen from the side, and its drift over time."""
+"""Test 9: the falling arm seen from the side, and its drift over time."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_static_hold", "headline"]
 
-_SHOTS = 6  # of the arm on its way
-_SHOWN = 0.4  # s of the way that are drawn as shots: after it an arm is a tangle of lines
+_SHOTS = 6  # postures of the arm that are drawn
+_SHOWN = 0.4  # s of the motion that are drawn: later postures overlap too much
 
 
 def draw_static_hold(s: StaticHold) -> Figure:

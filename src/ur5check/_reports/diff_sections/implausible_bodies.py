@@ -1,4 +1,4 @@
-"""Plausibility: what is odd about either arm's bodies, the gravest first."""
+"""Plausibility: findings about the bodies of both arms, worst first."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ _GRAVEST_FIRST: tuple[Severity, ...] = ("impossible", "suspicious", "note")
 
 
 def bodies_section(e: Explanation) -> Section:
-    """Findings, no failures: a vendor may have reasons."""
+    """Findings, worst first; they do not change the verdict."""
     pair = e.difference.pair
     found = [(pair.a.label, p) for p in e.plausible_a]
-    # The same arm twice has the same oddities.
+    # The same arm twice has the same findings.
     found += [(pair.b.label, p) for p in e.plausible_b if (pair.b.label, p) not in found]
     if not found:
-        return Section("Plausibility", ("Nothing is odd about either arm's bodies.",))
+        return Section("Plausibility", ("No findings about either arm's bodies.",))
     found.sort(key=lambda of: _GRAVEST_FIRST.index(of[1].severity))
     table = Table(
         (
             Column(""),
             Column("in"),
-            Column("what is odd"),
+            Column("finding"),
             Column("found", number=True),
             Column("bound", number=True),
             Column("unit"),
         ),
         tuple(_row(name, p) for name, p in found),
-        note="Impossible: for any body, or for the one that its mesh shows. Suspicious: beyond the "
-        "known issues of robots.",
+        note="Impossible: for any body, or for a body of the shape of its mesh. Suspicious: "
+        "outside the range of robot arms.",
     )
     return Section("Plausibility", tables=(table,))
 

@@ -1,4 +1,4 @@
-"""What went wrong: the mistakes that were found, what repairing them does, and what is left."""
+"""The known mistakes found, the effect of repairing them, and what remains unexplained."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from ..wording import MISSING, figures, joined, residue
 __all__ = ["findings_section"]
 
 _NOTE = (
-    "Removes: part of the whole RMS difference, repaired from the top. Tried: repaired values for "
-    "each number; the more, the more could fit by chance."
+    "Removes: share of the RMS difference, repaired in the order of the rows. Tried: candidate "
+    "values for each number; the more were tried, the likelier is a match by chance."
 )
 _NO_TORQUE = f" {MISSING}: changes no torque, once the arms are aligned."
 
 
 def findings_section(e: Explanation) -> Section:
-    """The mistakes with their evidence, in words, link by link; then what no mistake explains."""
+    """The mistakes: evidence, explanation, details of each link; then unexplained numbers."""
     diagnosis = e.diagnosis
     lines = [] if diagnosis.mistakes else [_none(e)]
     # What changes no torque comes last; sorting keeps the order of repairing.
@@ -33,7 +33,7 @@ def findings_section(e: Explanation) -> Section:
         tables.append(Table(columns, tuple(by_link), title="Link by link"))
     if diagnosis.unexplained:
         tables.append(_unexplained(diagnosis))
-    return Section("What went wrong", tuple(lines), tuple(tables))
+    return Section("Mistakes found", tuple(lines), tuple(tables))
 
 
 def _none(e: Explanation) -> str:
@@ -85,9 +85,9 @@ def _effect(found: RecognizedMistake, diagnosis: Diagnosis) -> tuple[str, str]:
 
 def _words(e: Explanation, numbered: list[tuple[int, RecognizedMistake]]) -> Table:
     return Table(
-        (Column("", number=True), Column("what happened"), Column("to repair it")),
+        (Column("", number=True), Column("explanation"), Column("repair")),
         tuple(Row((str(number), _in_words(f, e.diagnosis), advice(f))) for number, f in numbered),
-        title="In words",
+        title="Explanation and repair",
     )
 
 
@@ -110,8 +110,8 @@ def _unexplained(diagnosis: Diagnosis) -> Table:
         (
             Column("link", number=True),
             Column("number"),
-            Column("apart [%]", number=True),
-            Column("what is known of it"),
+            Column("difference [%]", number=True),
+            Column("remark"),
         ),
         tuple(
             Row((str(m.link + 1), m.quantity, figures(100 * m.gap), remark(m, diagnosis)))

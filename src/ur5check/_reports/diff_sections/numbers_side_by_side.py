@@ -1,4 +1,4 @@
-"""The numbers themselves: how the arms were aligned, what differs, what it does to torque."""
+"""Alignment of the arms, the parameters that differ, and the torque difference."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def _axis_table(d: Difference) -> Table:
                 d.pair.a.joints, alignment.axis_angle, alignment.axis_distance, strict=True
             )
         ),
-        title="What is left between the axes at q = 0",
+        title="Angle and distance between corresponding axes at q = 0",
     )
 
 
@@ -63,7 +63,7 @@ def _reach_table(d: Difference) -> Table:
             for link in d.parameters
             if float(np.abs(link.reach_a - link.reach_b).max()) > SAME_LENGTH
         ),
-        title="From joint to tip frame, where they differ",
+        title="Vectors from joint to tip frame that differ",
     )
 
 
@@ -104,5 +104,5 @@ def _differing(link: LinkParameters) -> list[tuple[str, str, float, float]]:
 
 
 def _relative(a: float, b: float) -> str:
-    # A change from zero has no size that a percentage could tell.
+    # A change from zero has no percentage.
     return "from 0" if a == 0.0 else figures(100.0 * (b - a) / abs(a))

@@ -20,7 +20,7 @@ def worst_section(e: Explanation) -> Section:
         said = "The torques of the two arms differ by rounding alone at all random states."
         return Section("Worst case", (said,))
     said = (
-        "Gradient ascent from the worst random states, within limits of position, speed and "
+        "Gradient ascent from the worst random states, within limits of position, velocity and "
         "acceleration."
     )
     unit = "N m or N" if any(joint.kind == "prismatic" for joint in joints) else "N m"
@@ -46,7 +46,7 @@ def _table(
     return Table(
         (
             Column("joint"),
-            Column(f"off by [{unit}]", number=True),
+            Column(f"|Δτ| [{unit}]", number=True),
             Column("of limit [%]", number=True),
             Column("random [%]", number=True),
             Column("posture [°]"),
@@ -70,7 +70,7 @@ def _table(
 
 def _motion_table(cases: list[WorstCase], joints: tuple[Joint, ...]) -> Table:
     return Table(
-        (Column("joint"), Column("speeds [°/s]"), Column("accelerations [°/s²]")),
+        (Column("joint"), Column("velocities [°/s]"), Column("accelerations [°/s²]")),
         tuple(
             Row(
                 (
@@ -82,7 +82,7 @@ def _motion_table(cases: list[WorstCase], joints: tuple[Joint, ...]) -> Table:
             for case in cases
             if case.starts
         ),
-        title="How the joints move there",
+        title="Velocities and accelerations of these states",
     )
 
 

@@ -42,7 +42,7 @@ def listing_mistakes_section(r: Reproduction) -> Section:
             Column("torque"),
             Column("as printed [N m]", number=True),
             Column("mistakes repaired [N m]", number=True),
-            Column("controller's DH [N m]", number=True),
+            Column("DH [N m]", number=True),
             Column("printed over DH", number=True),
             Column("Table 1 read literally [N m]", number=True),
         ),
@@ -61,8 +61,9 @@ def listing_mistakes_section(r: Reproduction) -> Section:
             )
             for e in r.effects
         ),
-        note="Where the torque of the controller's DH is largest, under the listing's gravity. "
-        "Cases without torque are omitted. Read literally: with the appendix's a2 = −0.425 m.",
+        note="DH: the controller's DH parameters. At the angle of its largest torque, under the "
+        "listing's gravity; cases without torque are omitted. Read literally: with the "
+        "appendix's a2 = −0.425 m.",
     )
     return Section("The effect of the listing's mistakes", tuple(lines), (table,))
 
@@ -89,11 +90,11 @@ def _curves(r: Reproduction) -> Table:
             Column("amplitude [N m]", number=True),
             Column("phase [°]", number=True),
             Column("residual [N m]", number=True),
-            Column("should be [N m]", number=True),
+            Column("expected [N m]", number=True),
         ),
         tuple(rows),
         title="Cases 1 to 8: torque ≈ amplitude · sin(θ + phase)",
-        note="Residual: of the fit, its offset included. Should be: the peak moment of the "
+        note="Residual: of the fit, its offset included. Expected: the peak moment of the "
         "model's own weights, on the UR5's geometry.",
     )
 
