@@ -1,4 +1,4 @@
-"""Every rule, asked of one robot."""
+"""Every rule applied to one robot."""
 
 from __future__ import annotations
 

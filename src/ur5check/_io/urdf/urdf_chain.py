@@ -50,7 +50,7 @@ class Chain:
 
 
 class Tree:
-    """A robot's links and joints; `edges` must form a tree (`check_urdf` sees to that)."""
+    """A robot's links and joints; `edges` must form a tree (see `check_urdf`)."""
 
     def __init__(self, links: Sequence[str], edges: Sequence[Edge], file: str) -> None:
         self.links = tuple(links)

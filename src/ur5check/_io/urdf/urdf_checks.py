@@ -34,7 +34,7 @@ _OTHER_FORMATS = {
 def check_urdf(data: bytes, file: str) -> Element:
     """The root element of a URDF in which nothing is wrong, as lxml reads it.
 
-    data : well-formed XML (`checked_xml` sees to that)
+    data : well-formed XML (see `checked_xml`)
     file : what errors call it
 
     Raises ModelError for the first fault, in this order: the root; what is not expanded; names,

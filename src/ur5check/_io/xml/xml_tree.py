@@ -1,6 +1,6 @@
 """XML as a light tree in which every element and attribute knows its line and column.
 
-Expat is asked, since lxml knows lines of start tags only.  Document types are refused: they declare
+Expat is used, since lxml knows lines of start tags only.  Document types are refused: they declare
 entities, which readers treat differently.  Sizes are bounded before anything is parsed.
 """
 
