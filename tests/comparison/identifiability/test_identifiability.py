@@ -1,4 +1,4 @@
-"""What torque cannot see: ranks, combinations and null spaces of arms that are known by hand."""
+"""Identifiability: ranks, combinations and null spaces of arms that are known by hand."""
 
 from __future__ import annotations
 
