@@ -1,4 +1,4 @@
-"""Known mistakes, planted in an arm the way people make them.
+"""Known mistakes, planted in an arm as they occur in practice.
 
 Written from the names of the mistakes alone: nothing here looks at how
 `ur5check._comparison.diagnosis` undoes them.  The numbers are altered where an author alters them,

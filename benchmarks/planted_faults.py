@@ -1,4 +1,4 @@
-"""Faults planted in sound URDFs, one at a time, the way people make them.
+"""Faults planted in sound URDFs, one at a time, as they occur in practice.
 
 Each kind edits the file's XML and names the rules that would be right to find it.  A kind that a
 robot has no place for (no rpy, no second limb) is left out for that robot.
