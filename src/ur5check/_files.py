@@ -1,18 +1,41 @@
-"""Atomic writing: after any interruption a file is the old one or the new one, whole.
+"""Whole files: written in one step, and read only where they are files of a bounded size.
 
-The content is written beside the target and then takes its place in one step.
+After any interruption a file is the old or the new one: the content is written beside the target
+and then takes its place.  A device or a pipe in the place of a description would be read for ever.
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import secrets
 import shutil
+import stat
 from collections.abc import Iterator
 from pathlib import Path
 
-__all__ = ["draft_of", "write_whole"]
+__all__ = ["LARGEST_INPUT", "draft_of", "read_regular", "write_whole"]
+
+#: Larger than any description of a robot (meshes are files of their own) [bytes].
+LARGEST_INPUT = 64 * 2**20
+
+
+def read_regular(path: str | os.PathLike[str], most: int = LARGEST_INPUT) -> bytes:
+    """The bytes of a regular file.
+
+    Raises OSError for a device, a pipe or a folder, and for a file of more than `most` bytes.
+    """
+    found = os.stat(path)  # noqa: PTH116 - links are followed, nothing is opened
+    if not stat.S_ISREG(found.st_mode):
+        raise OSError(errno.EINVAL, "is no regular file", str(path))
+    if found.st_size > most:
+        raise OSError(errno.EFBIG, f"has more than {most:,} bytes", str(path))
+    with open(path, "rb") as file:  # noqa: PTH123 - also where pathlib would list folders
+        data = file.read(most + 1)
+    if len(data) > most:
+        raise OSError(errno.EFBIG, f"has more than {most:,} bytes", str(path))
+    return data
 
 
 def write_whole(path: Path, data: bytes) -> None:

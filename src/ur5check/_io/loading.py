@@ -8,6 +8,7 @@ from pathlib import Path
 
 from .._arguments import instance, text_map
 from .._errors import ModelError, UsageError
+from .._files import read_regular
 from .._robot import SerialArm
 from .._robot.as_arm import ArmSource
 from .formats import FORMATS, SUFFIXES, format_by_suffix
@@ -125,7 +126,7 @@ def _bytes(path: Path, label: str) -> bytes:
     try:
         if path.exists() and not path.is_file():
             raise ModelError("is no file", fix="give the file itself", file=label)
-        return path.read_bytes()
+        return read_regular(path)
     except FileNotFoundError:
         near = did_you_mean(path.stem, SHIPPED_MODELS)
         raise ModelError(

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .._errors import ModelError, UsageError
+from .._files import read_regular
 from .._finding import Finding, Place
 from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
@@ -72,7 +73,7 @@ def read_robot(
     known = around.with_packages(packages or {})
     suffix = path.suffix.lower()
     try:
-        data = path.read_bytes()
+        data = read_regular(path)
     except OSError as error:
         raise UsageError(f"{path} cannot be read: {error.strerror}") from None
     here = _File(path, label, data, known)

@@ -16,6 +16,7 @@ from typing import NoReturn
 from lxml import etree
 
 from ..._errors import ModelError
+from ..._files import read_regular
 from ..inertia_checks import Place, check_inertia, printed_tensor
 from ..xml.safe_xml import checked_root
 from ..xml.xml_numbers import Element, ElementReader
@@ -33,6 +34,10 @@ _NUMBERS = {
     "geom": ("pos", "quat", "size", "mass", "density", "fromto"),
     "option": ("gravity", "density", "viscosity", "wind"),
 }  # fmt: skip
+#: Attributes whose product is the number of entries that an element unfolds into.
+_SIZES = {"hfield": ("nrow", "ncol"), "texture": ("width", "height")}
+_MOST_ENTRIES = 1_000_000
+
 _RANGES = ("range", "actuatorfrcrange", "ctrlrange", "forcerange")
 _NO_BODIES = {
     "composite": "makes many bodies",
@@ -101,7 +106,7 @@ class MjcfText:
     def bytes_of(self, name: str, wanted_by: str) -> bytes:
         """A file beside the model, read once and remembered.  wanted_by : for the error."""
         try:
-            data = (self.folder / name).read_bytes()
+            data = read_regular(self.folder / name)
         except OSError as error:
             problem = f"needs {name!r}, which cannot be read: {error.strerror}"
             fix = "put the file there, or give every moving body an <inertial>"
@@ -122,7 +127,7 @@ class MjcfText:
         if any(name == known for known, _ in self.read):
             self.fail(include, "<include>", "is read already", "include a file once", name)
         try:
-            data = (self.folder / PurePosixPath(name)).read_bytes()
+            data = read_regular(self.folder / PurePosixPath(name))
         except (OSError, ValueError):
             fix = "put it there: paths start from the folder of the main file"
             self.fail(include, "<include> file", "cannot be read", fix, name)
@@ -143,6 +148,7 @@ class MjcfText:
 
     def _check_elements(self) -> None:
         for node in self.root.iter(etree.Element):
+            self._check_size(node)
             if node.tag in _NO_BODIES and node.getparent().tag != "default":
                 fix = "write rigid bodies out (MuJoCo's spec.to_xml() does), or remove it"
                 problem = f"{_NO_BODIES[node.tag]}: no rigid body that can be read here"
@@ -157,6 +163,15 @@ class MjcfText:
             if node.tag == "inertial":
                 _check_inertial(node, reader, subject)
 
+    def _check_size(self, node: Element) -> None:
+        """Refuse what MuJoCo would unfold into more memory than a description needs."""
+        size = _repeats(node)
+        for attribute in _SIZES.get(node.tag, ()):
+            size *= _whole(node.get(attribute))
+        if size > _MOST_ENTRIES:
+            problem = f"stands for {size:,.0f} entries, more than {_MOST_ENTRIES:,}"
+            self.fail(node, f"<{node.tag}>", problem, "make it smaller, or leave it out")
+
     def _check_range(
         self, node: Element, attribute: str, reader: ElementReader, subject: str
     ) -> None:
@@ -166,6 +181,23 @@ class MjcfText:
         if len(values) == 2 and values[0] > values[1]:
             problem = "lower exceeds upper, so that MuJoCo ignores the limit"
             self.fail(node, f"{subject} {attribute}", problem, "swap them", node.get(attribute))
+
+
+def _repeats(node: Element) -> float:
+    """How often an element stands in the model, by the <replicate> elements around it."""
+    count = 1.0
+    around = [node, *node.iterancestors("replicate")]
+    for replicate in (each for each in around if each.tag == "replicate"):
+        count *= _whole(replicate.get("count"))
+    return count
+
+
+def _whole(text: str | None) -> float:
+    """A count as written; 1 where it is none, which MuJoCo itself refuses."""
+    try:
+        return max(1.0, float(text or 1))
+    except ValueError:
+        return 1.0
 
 
 def _check_inertial(node: Element, reader: ElementReader, subject: str) -> None:

@@ -30,6 +30,7 @@ __all__ = ["check_expression", "limit_resources", "raise_fence"]
 _WAYS_OUT = frozenset(
     {
         "vars",
+        *("format", "format_map"),  # fields such as {0.__globals__} read what no expression names
         *("gi_frame", "gi_code", "cr_frame", "cr_code", "ag_frame", "ag_code", "tb_frame"),
         *("f_back", "f_globals", "f_locals", "f_builtins", "f_code"),
     }

@@ -16,6 +16,7 @@ import os
 import re
 import sys
 import types
+import unicodedata  # noqa: F401 - Python imports it for a name like größe: too late there
 import xml.dom.expatbuilder  # minidom imports it when first used: too late behind the fence
 import xml.dom.minidom
 from collections.abc import Callable, Iterator
@@ -25,6 +26,7 @@ import xacro
 from xacro import substitution_args
 
 from ..._errors import ModelError
+from ..._files import read_regular
 from ..suggestions import did_you_mean
 from ..xml.safe_xml import checked_xml
 from .xacro_confinement import check_expression, limit_resources, raise_fence
@@ -214,8 +216,7 @@ class Worker:
                 value=filename,
                 rule="XAC103",
             )
-        with open(path, "rb") as file:  # noqa: PTH123
-            data = file.read()
+        data = read_regular(path)
         self.inputs.append((path, hashlib.sha256(data).hexdigest()))
         return data
 
@@ -294,7 +295,8 @@ class Worker:
         if isinstance(root, substitution_args.ArgException):
             return self._error(
                 f"argument {message!r} has no value",
-                f'pass a value for it, or declare <xacro:arg name="{message}" default="…"/>',
+                f"pass --arg {message}:=VALUE, or declare <xacro:arg> with a default before it is "
+                "used: <robot>'s own attributes are read before any declaration in it",
                 self.snippet or None,
                 rule="XAC102",
             )

@@ -21,7 +21,9 @@ from typing import Any
 from xml.sax.saxutils import escape
 
 from ..._errors import ModelError
+from ..._files import read_regular
 from ..ros_packages import PackageMap
+from ..xml.safe_xml import checked_xml
 
 __all__ = ["Expansion", "expand_xacro"]
 
@@ -95,6 +97,7 @@ def expand_xacro(
         if "error" in answer:
             raise _error(answer["error"], answer["files"], answer["snippet"], shown)
         names = _Names(str(robot), str(path), packages)
+        checked_xml(str(answer["text"]).encode(), f"{shown} (expanded)")
         return Expansion(
             str(answer["text"]),
             tuple((names.of(str(file)), str(digest)) for file, digest in answer["inputs"]),
@@ -189,7 +192,7 @@ def _place(files: Sequence[str], snippet: str) -> tuple[str, int | None]:
     words = snippet.split()
     for file in files:
         try:
-            text = Path(file).read_text("utf-8", "replace")
+            text = read_regular(file).decode("utf-8", "replace")
         except OSError:
             continue
         for quote in (str, escape, lambda word: escape(word, {'"': "&quot;"})):

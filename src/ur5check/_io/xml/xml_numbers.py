@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
@@ -11,6 +12,11 @@ from ..printed_numbers import Printed, plain_number
 __all__ = ["Element", "ElementReader"]
 
 Element = Any  # lxml.etree._Element: lxml ships no types
+
+
+def xml_words(text: str) -> list[str]:
+    """Words parted by XML's white space only: other readers take a no-break space for a letter."""
+    return [word for word in re.split(r"[ \t\r\n]+", text) if word]
 
 
 class ElementReader:
@@ -76,7 +82,7 @@ class ElementReader:
             a, b, c = default
             return a, b, c
         where = f"{subject} {attribute}"
-        words = text.split()
+        words = xml_words(text)
         numbers = [self._plain(node, where, word, text) for word in words]
         if len(numbers) != 3:
             problem = f"takes 3 numbers, not {len(numbers)}"
@@ -87,12 +93,12 @@ class ElementReader:
     def numbers(self, node: Element, attribute: str, subject: str) -> list[Printed]:
         """An attribute of plain numbers, however many."""
         text = str(node.get(attribute))
-        return [self._plain(node, f"{subject} {attribute}", word, text) for word in text.split()]
+        return [self._plain(node, f"{subject} {attribute}", word, text) for word in xml_words(text)]
 
     def text_numbers(self, node: Element, subject: str, count: int) -> list[Printed]:
         """An element's own text: `count` plain numbers."""
         text = node.text or ""
-        words = text.split()
+        words = xml_words(text)
         numbers = [self._plain(node, subject, word, text) for word in words]
         if len(numbers) != count:
             problem = f"takes {count} number{'s' if count > 1 else ''}, not {len(numbers)}"
