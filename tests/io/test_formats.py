@@ -66,7 +66,8 @@ def test_the_page_on_inputs_has_a_row_for_every_format() -> None:
 
 
 def test_the_json_schema_knows_every_kind_of_source() -> None:
-    text = (REPOSITORY / "docs" / "schemas" / "report-1.schema.json").read_text(encoding="utf-8")
+    schema = REPOSITORY / "src" / "ur5check" / "schemas" / "report.schema.json"
+    text = schema.read_text(encoding="utf-8")
     kinds = [
         set(found) for found in _enums(json.loads(text)) if "pinocchio" in found and "dh" in found
     ]

@@ -18,6 +18,7 @@ from ur5check._comparison.identifiability.equivalence import TOLERANCE, equivale
 from ur5check._comparison.identifiability.identifiability import CERTAIN_GAP, WEAKEST, identify
 from ur5check._dynamics.recursion import rnea
 from ur5check._dynamics.regressor import torque_regressor
+from ur5check._errors import ModelError
 from ur5check._reports.explanation_summary import equivalence_in_words
 from ur5check._robot import DHRow, Inertia, Joint, Link, SerialArm, Transform, arm_from_dh
 from ur5check._robot.states import random_states
@@ -220,5 +221,5 @@ def test_tolerance_is_the_one_of_diff():
 
 
 def test_wrong_length_is_refused():
-    with pytest.raises(ValueError, match="expected shape"):
+    with pytest.raises(ModelError, match=r"shape \(20,\)"):
         split(identify(planar("standard")), np.zeros(10))

@@ -302,7 +302,7 @@ def test_an_argument_without_a_value_is_refused(tmp_path: Path) -> None:
     error = refusal(write(tmp_path, '<a b="$(arg side)"/>'))
     assert error.problem == "argument 'side' has no value"
     assert (error.line, error.element) == (2, "$(arg side)")
-    assert "pass a value" in error.fix
+    assert "--arg side:=" in error.fix
 
 
 def test_an_argument_declared_without_a_default_is_refused(tmp_path: Path) -> None:
