@@ -10,7 +10,7 @@ from .._finding import Finding
 from .body_extent import MeshBody
 from .examples import joint, link, robot
 from .finding_log import finding_of
-from .inertia_rules import size_severity
+from .inertia_measures import size_severity
 from .rule import Rule
 from .rule_subject import RuleSubject
 
