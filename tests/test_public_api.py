@@ -210,7 +210,7 @@ CALLS = [
 BAD = [
     pytest.param(function, good | {argument: value}, id=f"{function.__name__}-{argument}-{kind}")
     for function, good, arguments in CALLS
-    for argument, values in arguments.items()
+    for argument, values in arguments.items()  # type: ignore[attr-defined]
     for kind, value in values.items()
     if not (argument == "mass" and kind == "scalar")
 ]

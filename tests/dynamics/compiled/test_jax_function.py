@@ -16,7 +16,7 @@ from ur5check._robot.states import random_states
 
 @pytest.fixture
 def in_64_bits():
-    before = jax.config.jax_enable_x64
+    before = jax.config.jax_enable_x64  # type: ignore[attr-defined]
     jax.config.update("jax_enable_x64", True)
     yield
     jax.config.update("jax_enable_x64", before)
@@ -58,6 +58,6 @@ def test_the_slope_of_a_difference_is_pinocchios(in_64_bits):
 
 
 def test_32_bits_are_refused(arm):
-    assert not jax.config.jax_enable_x64
+    assert not jax.config.jax_enable_x64  # type: ignore[attr-defined]
     with pytest.raises(UsageError, match="jax_enable_x64"):
         jax_rnea(arm)

@@ -135,7 +135,7 @@ def test_launch_arguments_are_those_of_the_paper(on_disk):
     one = {arg.get("name"): arg.get("default") for arg in root.iterfind("arg[@default]")}
     file = on_disk / "ros2" / PACKAGE / "launch/gazebo.launch.py"
     two = {
-        call.args[0].value: next(k.value.value for k in call.keywords if k.arg == "default_value")
+        call.args[0].value: next(k.value.value for k in call.keywords if k.arg == "default_value")  # type: ignore[attr-defined]
         for call in ast.walk(ast.parse(file.read_text()))
         if isinstance(call, ast.Call) and ast.unparse(call.func) == "DeclareLaunchArgument"
     }
