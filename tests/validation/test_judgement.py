@@ -111,3 +111,17 @@ def test_every_file_of_example_robot_data_gets_a_verdict():
         j = judge(file, samples=5, meshes=False)
         assert j.laws_hold, file
         assert j.arm is not None or j.arm_note, file
+
+
+def test_a_tree_too_deep_for_pinocchios_parser_is_judged_without_it(tmp_path):
+    chain = [joint(), link()]
+    for k in range(1200):
+        parent = "arm" if k == 0 else f"l{k - 1}"
+        chain += [
+            joint(f"f{k}", "fixed", parent, f"l{k}", axis="", limit=""),
+            f'<link name="l{k}"/>',
+        ]
+    j = judge(write(tmp_path, robot(*chain)), samples=5)
+    assert j.arm.source.tip == "l1199"
+    assert j.laws is None
+    assert "1,000" in j.laws_note

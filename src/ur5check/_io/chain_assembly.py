@@ -11,15 +11,16 @@ what becomes of it is the same, and is here.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import reduce
-from operator import add, matmul
+from operator import add
 from typing import Literal, NoReturn, Protocol
 
 from .._robot import Inertia, Joint, Link, Transform
 from .urdf.urdf_chain import Chain, Edge, Tree
 
-__all__ = ["Assembly", "Description", "assemble"]
+__all__ = ["Assembly", "Description", "assemble", "rigid_poses"]
 
 
 class Description(Protocol):
@@ -92,25 +93,33 @@ def _brackets(description: Description, chain: Chain) -> tuple[Transform, list[T
     return pieces[0], [*pieces[1:], gathered]
 
 
+def rigid_poses(
+    description: Description, link: str, edges: Iterable[Edge], moving: frozenset[str]
+) -> dict[str, Transform]:
+    """Poses of a link and of all that `Tree.rigid_group` joins to it, in the link's frame."""
+    poses = {link: Transform.identity()}
+    for edge in edges:
+        poses[edge.child] = poses[edge.parent] @ description.held_pose(edge, moving)
+    return poses
+
+
 def _moving_link(
     description: Description, edge: Edge, link_tip_frame: Transform, chain: Chain, notes: list[str]
 ) -> Link:
     """The link that `edge` moves with all that moves with it, in the frame at its tip frame."""
     name = edge.child
     moving = frozenset(other.joint for other in chain.moving)
-    parts, welded, held, has_extent = [], [], [], False
-    for way in description.tree.rigid_group(name, chain):
-        member = way[-1].child if way else name
-        poses = (description.held_pose(other, moving) for other in way)
-        pose = reduce(matmul, poses, Transform.identity())
+    edges = description.tree.rigid_group(name, chain)
+    poses = rigid_poses(description, name, edges, moving)
+    parts, welded, has_extent = [], [], False
+    for member, pose in poses.items():
         own = description.inertia(member)
         if own is not None:
             parts.append(own.expressed_in(pose))
             has_extent = has_extent or bool(own.tensor.any())
-            if way and own.mass > 0.0:
+            if member != name and own.mass > 0.0:
                 welded.append((member, parts[-1]))
-        if way and way[-1].moves:
-            held.append(way[-1].joint)
+    held = [other.joint for other in edges if other.moves]
     if not parts:
         problem = "moves, but neither it nor anything fixed to it has an <inertial>"
         fix = "give it one, or choose base= and tip= so that it is no part of the arm"

@@ -29,6 +29,9 @@ __all__ = ["Judgement", "Level", "judge"]
 #: The least severity that fails a model.
 Level = Literal["error", "warning", "note"]
 
+#: urdfdom, which Pinocchio reads with, calls itself for every link: 20,000 end the process.
+_DEEPEST = 1000
+
 #: Findings about bodies that leave the mass matrix without an inverse, or worse: the laws that need
 #: one say nothing then.
 _NO_DYNAMICS = {"INE101", "INE102", "INE104", "INE105", "INE106", "JNT101", "JNT111"}
@@ -137,7 +140,7 @@ def judge(
         reading.robot, reader, arm=arm, payload=payload, expected_mass=expected_mass
     )
     findings = tuple(check_rules(subject, reading.findings))
-    laws, laws_note = _laws(arm, findings, samples, seed)
+    laws, laws_note = _laws(reading.robot, arm, findings, samples, seed)
     return Judgement(
         str(model),
         reading.file,
@@ -166,11 +169,26 @@ def _arm(
     return arm, ""
 
 
+def _depth(robot: Robot) -> int:
+    """The most joints between a root and a link."""
+    depth: dict[str, int] = {}
+    for root in robot.roots:
+        for name in robot.down(root):
+            above = robot.above.get(name)
+            depth[name] = 0 if above is None else depth[above.parent] + 1
+    return max(depth.values(), default=0)
+
+
 def _laws(
-    arm: SerialArm | None, findings: tuple[Finding, ...], samples: int, seed: int
+    robot: Robot, arm: SerialArm | None, findings: tuple[Finding, ...], samples: int, seed: int
 ) -> tuple[ModelValidation | None, str]:
     if arm is None:
         return None, ""
+    if _depth(robot) > _DEEPEST:
+        return (
+            None,
+            f"the tree is deeper than {_DEEPEST:,} links, which Pinocchio's parser is not for",
+        )
     links = {f"link {link.name!r}" for link in arm.links}
     joints = {f"joint {joint.name!r}" for joint in arm.joints}
     for finding in findings:

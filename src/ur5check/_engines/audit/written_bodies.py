@@ -8,8 +8,7 @@ out, a default body where none is written.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache, reduce
-from operator import matmul
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -83,18 +82,18 @@ def written_arm(arm: SerialArm) -> WrittenArm:
     moving = frozenset(edge.joint for edge in chain.moving)
     bodies = []
     for i, edge in enumerate(chain.moving):
-        to_link_tip_frame = arm.links[i].link_tip_frame.inverse()
-        for way in robot.tree.rigid_group(edge.child, chain):
-            links = [edge.child, *(step.child for step in way)]
-            pose = reduce(
-                matmul, (robot.held_pose(step, moving) for step in way), to_link_tip_frame
-            )
-            inertia, node = robot.inertia(links[-1]), nodes[links[-1]]
+        poses = {edge.child: arm.links[i].link_tip_frame.inverse()}
+        above: dict[str, tuple[str, ...]] = {edge.child: ()}
+        for step in robot.tree.rigid_group(edge.child, chain):
+            poses[step.child] = poses[step.parent] @ robot.held_pose(step, moving)
+            above[step.child] = (step.parent, *above[step.parent])
+        for name, pose in poses.items():
+            inertia, node = robot.inertia(name), nodes[name]
             bodies.append(
                 WrittenBody(
-                    links[-1],
+                    name,
                     i,
-                    tuple(reversed(links[:-1])),
+                    above[name],
                     np.zeros(10) if inertia is None else inertia.expressed_in(pose).parameters(),
                     inertia is not None,
                     node.find("collision") is not None or node.find("visual") is not None,

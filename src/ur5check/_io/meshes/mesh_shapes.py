@@ -6,8 +6,6 @@ Dynamics do not use shapes, so a shape that cannot be read is a note, not an err
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import reduce
-from operator import matmul
 from pathlib import Path
 from typing import Any, Literal
 
@@ -16,6 +14,7 @@ import numpy as np
 from ..._errors import ModelError
 from ..._robot import SerialArm, Transform
 from ..._robot.transforms import Array
+from ..chain_assembly import rigid_poses
 from ..ros_packages import PackageMap, default_packages
 from ..urdf.urdf_checks import check_urdf
 from ..urdf.urdf_values import Robot
@@ -78,10 +77,9 @@ def link_meshes(arm: SerialArm, packages: PackageMap | None = None) -> Meshes:
     links = []
     for edge in chain.moving:
         shapes: list[Shape] = []
-        for way in robot.tree.rigid_group(edge.child, chain):
-            poses = (robot.held_pose(step, moving) for step in way)
-            pose = reduce(matmul, poses, Transform.identity())
-            shapes += reader.shapes(nodes[way[-1].child if way else edge.child], pose)
+        edges = robot.tree.rigid_group(edge.child, chain)
+        for member, pose in rigid_poses(robot, edge.child, edges, moving).items():
+            shapes += reader.shapes(nodes[member], pose)
         links.append(tuple(shapes))
     return Meshes(tuple(links), tuple(dict.fromkeys(reader.notes)))
 

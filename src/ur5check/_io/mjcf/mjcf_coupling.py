@@ -81,8 +81,9 @@ def refuse_couplings(found: list[Coupling], bodies: Bodies, chain: Chain) -> Non
     moving = {edge.joint for edge in chain.moving}
     carrier: dict[str, str] = {}
     for edge in chain.moving:
-        for way in bodies.tree.rigid_group(edge.child, chain):
-            carrier[way[-1].child if way else edge.child] = edge.joint
+        carrier[edge.child] = edge.joint
+        for rigid in bodies.tree.rigid_group(edge.child, chain):
+            carrier[rigid.child] = edge.joint
     for coupling in found:
         tied = sorted(coupling.joints & moving)
         groups = {carrier.get(body, "") for body in coupling.bodies}

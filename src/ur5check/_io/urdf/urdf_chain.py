@@ -85,17 +85,18 @@ class Tree:
             self._fail(problem, _CHOOSE + " so that one does")
         return chain
 
-    def rigid_group(self, link: str, chain: Chain) -> list[tuple[Edge, ...]]:
-        """Ways from `link` down to all that moves with it, the empty way to itself first.
+    def rigid_group(self, link: str, chain: Chain) -> list[Edge]:
+        """The joints from `link` down to all that moves with it, parents first.
 
-        The way stops at the chain's own moving joints; joints beside the chain are held still.
+        They stop at the chain's own moving joints; joints beside the chain are held still.
         """
         own = {edge.joint for edge in chain.moving}
-        ways: list[tuple[Edge, ...]] = [()]
-        for way in ways:  # grows while we walk it: breadth first
-            end = way[-1].child if way else link
-            ways += [(*way, edge) for edge in self.below[end] if edge.joint not in own]
-        return ways
+        reached, edges = [link], []
+        for end in reached:  # grows while we walk it: breadth first
+            found = [edge for edge in self.below[end] if edge.joint not in own]
+            edges += found
+            reached += [edge.child for edge in found]
+        return edges
 
     def _way_up(self, link: str) -> list[Edge]:
         way = []
