@@ -16,6 +16,7 @@ from repository import REPOSITORY
 from ur5check import Ur5checkError, results, testing
 
 ARM = ur5check.load("paper")
+ROBOT = ur5check.load_robot("paper")
 Q = np.zeros((3, 6))
 STATES = ur5check.random_states(6, 3, seed=0)
 PAIR = ur5check.pair_up("paper", "appendix")
@@ -54,6 +55,21 @@ NOT_OBJECTS = {"none": None, "text": "x", "number": 1}
 #: Function, good arguments by name, and which kinds of bad values stand for which argument.
 CALLS = [
     (ur5check.load, {"x": ARM}, {"x": NOT_ARMS, "base": {"number": 3}, "packages": {"list": [1]}}),
+    (
+        ur5check.load_robot,
+        {"model": "paper"},
+        {
+            "model": {**NOT_ARMS, "arm": ARM},
+            "packages": {"list": [1]},
+            "arguments": {"number": 3},
+        },
+    ),
+    (ur5check.RobotTree.of, {"robot": ROBOT}, {"robot": {**NOT_OBJECTS, "arm": ARM}}),
+    (
+        ur5check.forward_kinematics,
+        {"arm": ur5check.RobotTree.of(ROBOT), "q": Q, "link": "link 6"},
+        {"q": NOT_JOINTS, "link": {**NOT_OBJECTS, "list": ["link 6"]}},
+    ),
     *(
         (
             getattr(ur5check, name),

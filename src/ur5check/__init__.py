@@ -58,6 +58,7 @@ if TYPE_CHECKING:
     from ._finding import Finding, Place
     from ._io.example_robots import FLEET as EXAMPLE_ROBOTS
     from ._io.loading import load
+    from ._io.robot_loading import load_robot
     from ._paper.cases import case as paper_case
     from ._paper.figures.case_figure import draw_case
     from ._paper.figures.case_overview import draw_overview
@@ -69,6 +70,8 @@ if TYPE_CHECKING:
     from ._reports.mistake_sentences import remark as mismatch_sentence
     from ._reports.mistake_sentences import sentence as mistake_sentence
     from ._robot.inertia import PARAMETERS, Inertia
+    from ._robot.robot import Robot
+    from ._robot.robot_tree import RobotTree
     from ._robot.serial_arm import Joint, Limits, Link, SerialArm
     from ._robot.states import States, random_states
     from ._robot.transforms import Transform
@@ -101,6 +104,8 @@ _DEFINED_IN = {
     "PARAMETERS": "._robot.inertia",
     "Place": "._finding",
     "Quintic": "._simulation.control.trajectory",
+    "Robot": "._robot.robot",
+    "RobotTree": "._robot.robot_tree",
     "SerialArm": "._robot.serial_arm",
     "StateError": "._errors",
     "States": "._robot.states",
@@ -138,6 +143,7 @@ _DEFINED_IN = {
     "link_frames": "._dynamics.kinematics",
     "judge": "._validation.judgement",
     "load": "._io.loading",
+    "load_robot": "._io.robot_loading",
     "make_engine": "._engines.registry",
     "mass_matrix": "._dynamics.equations",
     "mismatch_sentence": "._reports.mistake_sentences:remark",
@@ -181,6 +187,8 @@ __all__ = [
     "ModelError",
     "Place",
     "Quintic",
+    "Robot",
+    "RobotTree",
     "SerialArm",
     "StateError",
     "States",
@@ -219,6 +227,7 @@ __all__ = [
     "known_issues_of",
     "link_frames",
     "load",
+    "load_robot",
     "make_engine",
     "mass_matrix",
     "mismatch_sentence",

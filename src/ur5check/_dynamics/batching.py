@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import number_array
 from .._errors import StateError
+from .._robot.robot_tree import RobotTree
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .vectors import Scalar
@@ -54,7 +55,7 @@ class JointState:
         return self.with_motion(zeros, zeros)
 
 
-def joint_array(arm: SerialArm, name: str, values: ArrayLike) -> NDArray[Any]:
+def joint_array(arm: SerialArm | RobotTree, name: str, values: ArrayLike) -> NDArray[Any]:
     """`values` as a float64 or complex128 array of shape (..., n).
 
     Raises StateError if they are not numbers, not finite, or not n along the last axis.
@@ -73,7 +74,7 @@ def joint_array(arm: SerialArm, name: str, values: ArrayLike) -> NDArray[Any]:
     return array.astype(np.complex128 if array.dtype.kind == "c" else np.float64, copy=False)
 
 
-def gravity_of(arm: SerialArm, gravity: ArrayLike | None) -> Array:
+def gravity_of(arm: SerialArm | RobotTree, gravity: ArrayLike | None) -> Array:
     """Gravity in the arm's base frame, shape (3,) [m/s²]: that of the arm when None."""
     if gravity is None:
         return arm.gravity
@@ -86,7 +87,7 @@ def gravity_of(arm: SerialArm, gravity: ArrayLike | None) -> Array:
 
 
 def evaluate(
-    arm: SerialArm,
+    arm: SerialArm | RobotTree,
     compute: Callable[[JointState], Sequence[Scalar]],
     shape: tuple[int, ...],
     q: ArrayLike,
@@ -95,7 +96,8 @@ def evaluate(
 ) -> NDArray[Any]:
     """`compute` on every state; its flat list of results, in an array of shape (..., *shape).
 
-    Without `qd` or `qdd` the arm is at rest: constant zeros, which cost nothing.
+    Without `qd` or `qdd` the arm is at rest: constant zeros, which cost nothing.  The states that
+    `compute` takes have one entry for each joint of a tree, those that mimic others included.
 
     Raises StateError for arrays that are not of shape (..., n) or do not broadcast.
     """
@@ -116,11 +118,14 @@ def evaluate(
     }
     count = prod(lead)
     results = np.empty((count, prod(shape)), np.result_type(*arrays.values()))
-    zeros = [0.0] * arm.n
     for start in range(0, count, BLOCK):
         block = slice(start, min(start + BLOCK, count))
         rows = {name: np.ascontiguousarray(array[block].T) for name, array in flat.items()}
+        if isinstance(arm, RobotTree):
+            joints = {name: arm.all_rates(row) for name, row in rows.items()}
+            rows = {**joints, "q": arm.all_joints(rows["q"])}
         angles = rows["q"]
+        zeros = [0.0] * len(angles)
         state = JointState(
             list(angles),
             list(np.cos(angles)),

@@ -16,13 +16,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._errors import StateError
-from .._robot.as_arm import ArmSource, as_arm
+from .._robot.as_arm import ModelSource, as_arm_or_tree
+from .._robot.robot_tree import RobotTree
 from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of, joint_array
 from .chain_constants import Chain, chain_of
 from .kinematics import frames
 from .recursion import joint_torques
-from .vectors import ZERO, Scalar, Vector
+from .vectors import ZERO, Scalar, Vector, plus
 
 __all__ = [
     "Acceleration",
@@ -41,7 +42,7 @@ __all__ = [
 Acceleration = Callable[[NDArray[Any], NDArray[Any], NDArray[Any]], NDArray[Any]]
 
 
-def mass_matrix(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
+def mass_matrix(arm: ModelSource, q: ArrayLike) -> NDArray[Any]:
     """Mass matrix M(q) of the joint space.
 
     Column j is the torque of a unit acceleration of joint j, at rest and without gravity:
@@ -49,7 +50,7 @@ def mass_matrix(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q : array-like, shape (..., n)
         Joint positions [rad], or [m] for a prismatic joint; real or complex.
@@ -72,12 +73,12 @@ def mass_matrix(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
     >>> bool(abs(M - M.T).max() < 1e-14)
     True
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
     return evaluate(arm, lambda state: _as_rows(mass_columns(chain, state)), (arm.n, arm.n), q)
 
 
-def coriolis_matrix(arm: ArmSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
+def coriolis_matrix(arm: ModelSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
     """Coriolis matrix C(q, q̇) of Christoffel symbols, for which Ṁ − 2C is skew-symmetric.
 
     The Coriolis and centrifugal torque h(q̇) = C(q, q̇) q̇ is a quadratic form,
@@ -86,7 +87,7 @@ def coriolis_matrix(arm: ArmSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q, qd : array-like, shape (..., n)
         Joint positions [rad] and velocities [rad/s] ([m] and [m/s] for a prismatic joint); real or
@@ -113,19 +114,21 @@ def coriolis_matrix(arm: ArmSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]
     >>> ur5check.coriolis_matrix("paper", [0.0] * 6, [0.1] * 6).shape
     (6, 6)
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
     return evaluate(
         arm, lambda state: _as_rows(_coriolis_columns(chain, state)), (arm.n, arm.n), q, qd
     )
 
 
-def gravity_torque(arm: ArmSource, q: ArrayLike, gravity: ArrayLike | None = None) -> NDArray[Any]:
+def gravity_torque(
+    arm: ModelSource, q: ArrayLike, gravity: ArrayLike | None = None
+) -> NDArray[Any]:
     """Gravity torque g(q) = τ(q, 0, 0): the torque that holds the arm at rest.
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q : array-like, shape (..., n)
         Joint positions [rad], or [m] for a prismatic joint; real or complex.
@@ -149,24 +152,24 @@ def gravity_torque(arm: ArmSource, q: ArrayLike, gravity: ArrayLike | None = Non
     >>> ur5check.gravity_torque("appendix", [0.0] * 6)[1:3].round(2).tolist()
     [-57.97, -14.48]
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q)
 
 
 def bias_torque(
-    arm: ArmSource, q: ArrayLike, qd: ArrayLike, gravity: ArrayLike | None = None
+    arm: ModelSource, q: ArrayLike, qd: ArrayLike, gravity: ArrayLike | None = None
 ) -> NDArray[Any]:
     """C(q, q̇) q̇ + g(q), shape (..., n) [N m]: the torque of the motion without acceleration."""
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q, qd)
 
 
 def forward_dynamics(
-    arm: ArmSource,
+    arm: ModelSource,
     q: ArrayLike,
     qd: ArrayLike,
     tau: ArrayLike,
@@ -176,7 +179,7 @@ def forward_dynamics(
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q, qd, tau : array-like, shape (..., n)
         Joint positions [rad], velocities [rad/s] and torques [N m] ([m], [m/s] and [N] for a
@@ -203,7 +206,7 @@ def forward_dynamics(
     >>> bool(abs(ur5check.forward_dynamics("paper", rest, rest, tau)).max() < 1e-9)
     True
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     M, bias = mass_matrix(arm, q), bias_torque(arm, q, qd, gravity)
     given = joint_array(arm, "tau", tau)
     try:
@@ -245,7 +248,7 @@ def acceleration_of(arm: SerialArm, gravity: ArrayLike | None = None) -> Acceler
     return acceleration
 
 
-def _solved(arm: SerialArm, M: NDArray[Any], torque: NDArray[Any]) -> NDArray[Any]:
+def _solved(arm: SerialArm | RobotTree, M: NDArray[Any], torque: NDArray[Any]) -> NDArray[Any]:
     """M⁻¹ τ, shape (..., n)."""
     try:
         return np.linalg.solve(M, torque[..., None])[..., 0]
@@ -256,14 +259,14 @@ def _solved(arm: SerialArm, M: NDArray[Any], torque: NDArray[Any]) -> NDArray[An
         ) from error
 
 
-def kinetic_energy(arm: ArmSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
+def kinetic_energy(arm: ModelSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
     """Kinetic energy T = Σ ½ m_i v_ci² + ½ ω_i · I_i ω_i + ½ armature_i q̇_i².
 
     It is computed from the velocities of the links, not from M.
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q, qd : array-like, shape (..., n)
         Joint positions [rad] and velocities [rad/s] ([m] and [m/s] for a prismatic joint); real or
@@ -286,19 +289,19 @@ def kinetic_energy(arm: ArmSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any]:
     >>> float(ur5check.kinetic_energy("paper", [0.0] * 6, [0.0] * 6))
     0.0
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
     return evaluate(arm, lambda state: [_kinetic(chain, state)], (), q, qd)
 
 
 def potential_energy(
-    arm: ArmSource, q: ArrayLike, gravity: ArrayLike | None = None
+    arm: ModelSource, q: ArrayLike, gravity: ArrayLike | None = None
 ) -> NDArray[Any]:
     """Potential energy U = −Σ m_i g · p_ci, zero for centres of mass at the base origin.
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q : array-like, shape (..., n)
         Joint positions [rad], or [m] for a prismatic joint; real or complex.
@@ -323,7 +326,7 @@ def potential_energy(
     >>> bool(weightless == 0.0)
     True
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain, g = chain_of(arm), Vector.of(gravity_of(arm, gravity))
 
     def compute(state: JointState) -> list[Scalar]:
@@ -337,23 +340,20 @@ def potential_energy(
 
 def mass_columns(chain: Chain, state: JointState) -> list[list[Scalar]]:
     """M of one block of states, by columns: the torques of a unit acceleration of each joint."""
-    n = len(chain.links)
-    still = [0.0] * n
-    units = ([1.0 if i == j else 0.0 for i in range(n)] for j in range(n))
-    return [joint_torques(chain, state.with_motion(still, unit), ZERO) for unit in units]
+    still = [0.0] * len(chain.links)
+    return [joint_torques(chain, state.with_motion(still, unit), ZERO) for unit in chain.units()]
 
 
 def _coriolis_columns(chain: Chain, state: JointState) -> list[list[Scalar]]:
-    n = len(chain.links)
-    still = [0.0] * n
+    still = [0.0] * len(chain.links)
 
-    def velocity_torque(j: int, step: float) -> list[Scalar]:
-        qd = [rate + step if i == j else rate for i, rate in enumerate(state.qd)]
+    def velocity_torque(unit: list[float], step: float) -> list[Scalar]:
+        qd = [plus(rate, step * each) for rate, each in zip(state.qd, unit, strict=True)]
         return joint_torques(chain, state.with_motion(qd, still), ZERO)
 
     columns = []
-    for j in range(n):
-        ahead, behind = velocity_torque(j, 1.0), velocity_torque(j, -1.0)
+    for unit in chain.units():
+        ahead, behind = velocity_torque(unit, 1.0), velocity_torque(unit, -1.0)
         columns.append([0.25 * (a - b) for a, b in zip(ahead, behind, strict=True)])
     return columns
 
@@ -365,12 +365,14 @@ def _as_rows(columns: list[list[Scalar]]) -> list[Scalar]:
 
 def _kinetic(chain: Chain, state: JointState) -> Scalar:
     energy: Scalar = 0.0
-    w, v = ZERO, ZERO  # angular velocity, and linear velocity of origin i, both in frame i
+    # Angular velocity, and linear velocity of origin i, of each link, both in its frame i.
+    velocities: list[tuple[Vector, Vector]] = []
     for link, q, cos, sin, qd in zip(
         chain.links, state.q, state.cos, state.sin, state.qd, strict=True
     ):
         R = link.rotation(cos, sin)
-        w, v = R.back(w), R.back(v)
+        w, v = velocities[link.parent] if link.parent >= 0 else (ZERO, ZERO)
+        w, v = R.back(w), R.back(v + w.cross(link.d))
         if link.prismatic:
             v = v + link.b * qd
         else:
@@ -379,5 +381,5 @@ def _kinetic(chain: Chain, state: JointState) -> Scalar:
         v_c = v + w.cross(r + link.c)
         energy = energy + 0.5 * (link.m * v_c.dot(v_c) + w.dot(link.I @ w))
         energy = energy + 0.5 * link.armature * qd * qd
-        v = v + w.cross(r)
+        velocities.append((w, v + w.cross(r)))
     return energy

@@ -6,7 +6,10 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._robot.as_arm import ArmSource, as_arm
+from .._errors import UsageError
+from .._robot.as_arm import ModelSource, as_arm_or_tree
+from .._robot.robot_tree import RobotTree
+from .._robot.transforms import Transform
 from .batching import JointState, evaluate
 from .chain_constants import Chain, chain_of
 from .vectors import Scalar, Vector
@@ -23,6 +26,17 @@ class Frame:
 
     def __init__(self, axes: tuple[Vector, Vector, Vector], p: Vector) -> None:
         self.axes, self.p = axes, p
+
+    @classmethod
+    def of(cls, T: Transform) -> Frame:
+        """A constant pose."""
+        x, y, z = (Vector.of(axis) for axis in T.R.T)
+        return cls((x, y, z), Vector.of(T.p))
+
+    def then(self, other: Frame) -> Frame:
+        """T_0j, for a pose T_ij in this frame i."""
+        x, y, z = (self.direction(axis) for axis in other.axes)
+        return Frame((x, y, z), self.point(other.p))
 
     def direction(self, v: Vector) -> Vector:
         """R v: a direction given in this frame, in the base frame."""
@@ -44,23 +58,23 @@ class Frame:
 def frames(chain: Chain, state: JointState) -> list[Frame]:
     """Poses of frames 1 … n in the base frame: T_0i = T_0,i−1 · J_i(q_i) · P_i."""
     columns = [chain.base @ axis for axis in _UNIT]
-    frame = Frame((columns[0], columns[1], columns[2]), chain.origin)
-    poses = []
+    base = Frame((columns[0], columns[1], columns[2]), chain.origin)
+    poses: list[Frame] = []
     for link, q, cos, sin in zip(chain.links, state.q, state.cos, state.sin, strict=True):
         R = link.rotation(cos, sin)
+        frame = poses[link.parent] if link.parent >= 0 else base
         axes = [frame.direction(R @ axis) for axis in _UNIT]
-        p = frame.point(R @ link.link_vector(q))
-        frame = Frame((axes[0], axes[1], axes[2]), p)
-        poses.append(frame)
+        p = frame.point(link.d + R @ link.link_vector(q))
+        poses.append(Frame((axes[0], axes[1], axes[2]), p))
     return poses
 
 
-def link_frames(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
+def link_frames(arm: ModelSource, q: ArrayLike) -> NDArray[Any]:
     """Poses of all link frames in the base frame.
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q : array-like, shape (..., n)
         Joint positions [rad], or [m] for a prismatic joint; real or complex.
@@ -68,7 +82,7 @@ def link_frames(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     T : ndarray, shape (..., n, 4, 4)
-        Homogeneous matrices T_0i of frames i = 1 … n [m].
+        Homogeneous matrices T_0i of frames i = 1 … n [m]; of a tree, those of its N moving links.
 
     Raises
     ------
@@ -82,24 +96,26 @@ def link_frames(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
     >>> ur5check.link_frames("paper", [0.0] * 6).shape
     (6, 4, 4)
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
 
     def compute(state: JointState) -> list[Scalar]:
         return [entry for frame in frames(chain, state) for entry in frame.entries()]
 
-    return evaluate(arm, compute, (arm.n, 4, 4), q)
+    return evaluate(arm, compute, (len(chain.links), 4, 4), q)
 
 
-def forward_kinematics(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
-    """Pose of the tool frame (frame n) in the base frame.
+def forward_kinematics(arm: ModelSource, q: ArrayLike, link: str | None = None) -> NDArray[Any]:
+    """Pose of the tool frame (frame n), or of a link of a tree, in the base frame.
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q : array-like, shape (..., n)
         Joint positions [rad], or [m] for a prismatic joint; real or complex.
+    link : str, optional
+        Of a RobotTree: the link, moving or fixed.  An arm has one tool, and takes none.
 
     Returns
     -------
@@ -109,8 +125,8 @@ def forward_kinematics(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     InputError
-        For an arm that cannot be read, or a `q` of another shape or with entries that are not
-        finite numbers.
+        For an arm that cannot be read, a link that is not in the tree, or a `q` of another shape or
+        with entries that are not finite numbers.
 
     Examples
     --------
@@ -118,6 +134,19 @@ def forward_kinematics(arm: ArmSource, q: ArrayLike) -> NDArray[Any]:
     >>> ur5check.forward_kinematics("paper", [0.0] * 6)[:3, 3].round(4).tolist()
     [-0.8172, -0.1914, -0.0055]
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
-    return evaluate(arm, lambda state: frames(chain, state)[-1].entries(), (4, 4), q)
+    if not isinstance(arm, RobotTree):
+        if link is not None:
+            raise UsageError(f"an arm takes no link, only a RobotTree; {link!r:.80} was given")
+        return evaluate(arm, lambda state: frames(chain, state)[-1].entries(), (4, 4), q)
+    if not isinstance(link, str) or link not in arm.placements:
+        raise UsageError(f"{link!r:.80} is no link of {arm.name!r}")
+    index, pose = arm.placements[link]
+    T_moving_link = Frame.of(pose)
+
+    def compute(state: JointState) -> list[Scalar]:
+        moving = frames(chain, state)[index] if index >= 0 else Frame.of(Transform.identity())
+        return moving.then(T_moving_link).entries()
+
+    return evaluate(arm, compute, (4, 4), q)

@@ -16,8 +16,10 @@ origin i to the centre of mass, and r_{i−1,ci} = r_{i−1,i} + r_{i,ci}:
           + I_i α_i + ω_i × I_i ω_i                                                           (15)
     The joint torque is b_i · τ_i.
 
-Three extensions of the paper's equations:
+Four extensions of the paper's equations:
 
+- Link i−1 stands for the parent of link i, which in a tree may carry several links.  The joint then
+  lies at d_i from the parent's origin: motion is taken there, and d_i × R_i f_i joins the moment.
 - The inertia of a motor adds armature_i · q̈_i to the torque of its joint.
 - A prismatic joint adds b_i q̈_i + 2 ω_i × b_i q̇_i to both accelerations instead of its terms in
   (9) and (10); its joint force is b_i · f_i.
@@ -34,7 +36,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._robot.as_arm import ArmSource, as_arm
+from .._robot.as_arm import ModelSource, as_arm_or_tree
 from .batching import JointState, evaluate, gravity_of
 from .chain_constants import Chain, LinkConstants, Rotation, chain_of
 from .vectors import ZERO, Scalar, Vector, plus, times
@@ -68,28 +70,31 @@ def outward(
 ) -> list[LinkMotion]:
     """Eqs (9)–(13): the motion of every link, from base to tip."""
     motions: list[LinkMotion] = []
-    w, dw, a, g = ZERO, ZERO, base_acceleration, gravity
     for link, q, cos, sin, qd, qdd in zip(
         chain.links, state.q, state.cos, state.sin, state.qd, state.qdd, strict=True
     ):
         R, r, b = link.rotation(cos, sin), link.link_vector(q), link.b
+        w, dw, a, g = ZERO, ZERO, base_acceleration, gravity
+        if link.parent >= 0:
+            parent = motions[link.parent]
+            w, dw, g = parent.w, parent.dw, parent.g
+            a = parent.acceleration_at(parent.r + link.d)
         w, dw, a, g = R.back(w), R.back(dw), R.back(a), R.back(g)
         if link.prismatic:
             a = a + b * qdd + w.cross(b * (2.0 * qd))
         else:
             w = w + b * qd
             dw = dw + b * qdd + w.cross(b * qd)
-        motion = LinkMotion(link, R, r, w, dw, a, g)
-        motions.append(motion)
-        a = motion.acceleration_at(r)
+        motions.append(LinkMotion(link, R, r, w, dw, a, g))
     return motions
 
 
 def inward(motions: list[LinkMotion]) -> list[Scalar]:
     """Eqs (14) and (15): the torque (or force) of every joint, from tip to base."""
     torques: list[Scalar] = []
-    f_next, tau_next = ZERO, ZERO  # R_{i+1} f_{i+1} and R_{i+1} τ_{i+1}
-    for motion in reversed(motions):
+    carried = [(ZERO, ZERO) for _ in motions]  # R_{i+1} f_{i+1}, R_{i+1} τ_{i+1}
+    for i in range(len(motions) - 1, -1, -1):
+        motion, (f_next, tau_next) = motions[i], carried[i]
         link, w = motion.link, motion.w
         r_c = motion.r + link.c
         a_c = motion.acceleration_at(r_c) - motion.g
@@ -103,7 +108,10 @@ def inward(motions: list[LinkMotion]) -> list[Scalar]:
             + link.h.cross(a_c)
         )
         torques.append(link.b.dot(f if link.prismatic else tau))
-        f_next, tau_next = motion.R @ f, motion.R @ tau
+        if link.parent >= 0:
+            f_sum, tau_sum = carried[link.parent]
+            f = motion.R @ f
+            carried[link.parent] = f_sum + f, tau_sum + motion.R @ tau + link.d.cross(f)
     return torques[::-1]
 
 
@@ -112,14 +120,16 @@ def joint_torques(
 ) -> list[Scalar]:
     """τ of one block of states: both passes of the recursion, and the motors' inertias."""
     torques = inward(outward(chain, state, gravity, base_acceleration))
-    return [
-        plus(torque, times(link.armature, qdd))
-        for torque, link, qdd in zip(torques, chain.links, state.qdd, strict=True)
-    ]
+    return chain.of_coordinates(
+        [
+            plus(torque, times(link.armature, qdd))
+            for torque, link, qdd in zip(torques, chain.links, state.qdd, strict=True)
+        ]
+    )
 
 
 def rnea(
-    arm: ArmSource,
+    arm: ModelSource,
     q: ArrayLike,
     qd: ArrayLike,
     qdd: ArrayLike,
@@ -129,7 +139,7 @@ def rnea(
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q, qd, qdd : array-like, shape (..., n)
         Joint positions [rad], velocities [rad/s] and accelerations [rad/s²]; [m], [m/s] and [m/s²]
@@ -159,7 +169,7 @@ def rnea(
     >>> ur5check.rnea("appendix", rest, rest, rest)[1:3].round(2).tolist()
     [-57.97, -14.48]
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q, qd, qdd)

@@ -18,7 +18,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from .._robot.as_arm import ArmSource, as_arm
+from .._robot.as_arm import ModelSource, as_arm_or_tree
 from .batching import JointState, evaluate, gravity_of
 from .chain_constants import Chain, chain_of
 from .recursion import LinkMotion, outward
@@ -31,7 +31,7 @@ _TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
 
 
 def torque_regressor(
-    arm: ArmSource,
+    arm: ModelSource,
     q: ArrayLike,
     qd: ArrayLike,
     qdd: ArrayLike,
@@ -41,7 +41,7 @@ def torque_regressor(
 
     Parameters
     ----------
-    arm : name, path, pin.Model or SerialArm
+    arm : name, path, pin.Model, SerialArm or RobotTree
         See `load`.
     q, qd, qdd : array-like, shape (..., n)
         Joint positions [rad], velocities [rad/s] and accelerations [rad/s²]; [m], [m/s] and [m/s²]
@@ -53,7 +53,8 @@ def torque_regressor(
     -------
     Y : ndarray, shape (..., n, 10 n)
         Columns 10 i … 10 i + 9 are the parameters of link i + 1 (`Inertia.parameters`), in the
-        frame of that link.  Y depends on geometry and gravity, not on inertias.
+        frame of that link.  Y depends on geometry and gravity, not on inertias.  A tree has
+        10 N columns for its N moving links.
 
     Raises
     ------
@@ -72,24 +73,24 @@ def torque_regressor(
     >>> ur5check.torque_regressor("paper", rest, rest, rest).shape
     (6, 60)
     """
-    arm = as_arm(arm)
+    arm = as_arm_or_tree(arm)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
 
     def compute(state: JointState) -> list[Scalar]:
         return regressor_rows(chain, outward(chain, state, g_0))
 
-    return evaluate(arm, compute, (arm.n, 10 * arm.n), q, qd, qdd)
+    return evaluate(arm, compute, (arm.n, 10 * len(chain.links)), q, qd, qdd)
 
 
 def regressor_rows(chain: Chain, motions: list[LinkMotion]) -> list[Scalar]:
     """Y of one block of states, row by row."""
-    n = len(chain.links)
-    Y = [[0.0] * (10 * n) for _ in range(n)]
-    for i, motion in enumerate(motions):
-        for k, (f, moment) in enumerate(_unit_wrenches(motion)):
-            _carry_down(motions[: i + 1], f, moment, Y, 10 * i + k)
-    return [entry for row in Y for entry in row]
+    columns = [
+        chain.of_coordinates(_carried_down(motions, i, f, moment))
+        for i, motion in enumerate(motions)
+        for f, moment in _unit_wrenches(motion)
+    ]
+    return [entry for row in zip(*columns, strict=True) for entry in row]
 
 
 def _unit_wrenches(motion: LinkMotion) -> list[tuple[Vector, Vector]]:
@@ -112,12 +113,14 @@ def _unit_tensor(row: int, column: int, v: Vector) -> Vector:
     return product if row == column else product + _AXES[column] * components[row]
 
 
-def _carry_down(
-    motions: list[LinkMotion], f: Vector, moment: Vector, Y: list[list[Scalar]], column: int
-) -> None:
-    """The torque at each joint from i to the base of a wrench at the origin of frame i."""
-    for joint in range(len(motions) - 1, -1, -1):
-        motion = motions[joint]
-        moment = moment + motion.r.cross(f)  # now about origin i−1, still in frame i
-        Y[joint][column] = motion.link.b.dot(f if motion.link.prismatic else moment)
+def _carried_down(motions: list[LinkMotion], i: int, f: Vector, moment: Vector) -> list[Scalar]:
+    """The torque at every joint of a wrench at the origin of frame i: 0 but from i to the base."""
+    torques: list[Scalar] = [0.0] * len(motions)
+    while i >= 0:
+        motion = motions[i]
+        moment = moment + motion.r.cross(f)  # now about the joint, still in frame i
+        torques[i] = motion.link.b.dot(f if motion.link.prismatic else moment)
         f, moment = motion.R @ f, motion.R @ moment
+        moment = moment + motion.link.d.cross(f)  # about the parent's origin, in its frame
+        i = motion.link.parent
+    return torques

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from .._arguments import text_map
 from .._errors import ModelError, UsageError
 from .._files import read_regular
 from .._finding import Finding, Place
@@ -18,7 +19,7 @@ from .ros_packages import PackageMap, default_packages
 from .shipped_models import SHIPPED_MODELS
 from .suggestions import did_you_mean
 
-__all__ = ["RobotReading", "read_robot"]
+__all__ = ["RobotReading", "load_robot", "read_robot"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,6 +82,63 @@ def read_robot(
     if entry is None or reading.robot is None:
         return reading
     return replace(reading, robot=replace(reading.robot, name=entry.name))
+
+
+def load_robot(
+    model: str | Path,
+    *,
+    packages: Mapping[str, str | Path] | None = None,
+    arguments: Mapping[str, str] | None = None,
+) -> Robot:
+    """Read a whole robot, with its branches: all links, joints and shapes of the file.
+
+    Parameters
+    ----------
+    model : str or Path
+        A shipped model's name, or the path of a file.  URDF and xacro give the whole tree; of
+        MJCF, SDF and DH tables one chain is read.
+    packages : mapping, optional
+        Folders of ROS packages, by name.
+    arguments : mapping, optional
+        Values for a xacro's arguments.
+
+    Returns
+    -------
+    robot : Robot
+
+    Raises
+    ------
+    ModelError
+        For the first error that reading finds; `judge` returns all of them.
+    UsageError
+        For a name that means nothing, or a file that is not there.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> tree = ur5check.RobotTree.of(ur5check.load_robot("erd-ur5"))
+    >>> ur5check.gravity_torque(tree, [0.0] * 6).shape
+    (6,)
+    """
+    if not isinstance(model, str | Path):
+        raise UsageError(f"model must be a shipped model's name or a path, not {model!r:.80}")
+    for name, mapping in (("packages", packages), ("arguments", arguments)):
+        text_map(name, mapping)
+    reading = read_robot(model, packages=packages, arguments=arguments)
+    errors = [finding for finding in reading.findings if finding.severity == "error"]
+    if errors or reading.robot is None:
+        first = errors[0]
+        place = first.places[0] if first.places else Place(reading.file)
+        raise ModelError(
+            first.message,
+            fix=first.fix,
+            file=place.file,
+            line=place.line or None,
+            element=first.subject,
+            value=first.value,
+            rule=first.rule,
+        )
+    return reading.robot
 
 
 def _read(

@@ -10,15 +10,19 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
+from .robot_tree import RobotTree
 from .serial_arm import SerialArm
 
 if TYPE_CHECKING:
     import pinocchio as pin
 
-__all__ = ["ArmSource", "as_arm"]
+__all__ = ["ArmSource", "ModelSource", "as_arm", "as_arm_or_tree"]
 
 #: What is accepted as an arm.
 ArmSource: TypeAlias = "str | Path | SerialArm | pin.Model"
+
+#: What the dynamics accept: an arm, or a whole robot.
+ModelSource: TypeAlias = "ArmSource | RobotTree"
 
 
 def as_arm(model: ArmSource) -> SerialArm:
@@ -30,3 +34,8 @@ def as_arm(model: ArmSource) -> SerialArm:
         return model
     arm: SerialArm = import_module("ur5check._io.loading").load(model)
     return arm
+
+
+def as_arm_or_tree(model: ModelSource) -> SerialArm | RobotTree:
+    """`model` itself if it is a RobotTree, otherwise as `as_arm`."""
+    return model if isinstance(model, RobotTree) else as_arm(model)
