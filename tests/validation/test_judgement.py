@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from ur5check._errors import UsageError
+from ur5check._io.loading import load
 from ur5check._io.ros_packages import example_robot_data
+from ur5check._io.shipped_models import SHIPPED_MODELS
 from ur5check._rules.examples import joint, link, robot
 from ur5check._validation.judgement import judge
 
@@ -26,6 +29,15 @@ def test_a_sound_model_passes_and_its_laws_hold(tmp_path):
     assert j.laws is not None
     assert j.laws_hold
     assert j.arm.joint_names == ("j",)
+
+
+@pytest.mark.parametrize("model", SHIPPED_MODELS)
+def test_a_shipped_model_is_judged_as_the_arm_that_load_gives(model):
+    judged, loaded = judge(model, samples=5, meshes=False).arm, load(model)
+    assert (judged.source.base, judged.source.tip) == (loaded.source.base, loaded.source.tip)
+    for ours, theirs in zip(judged.links, loaded.links, strict=True):
+        assert np.allclose(ours.link_tip_frame.matrix(), theirs.link_tip_frame.matrix(), atol=1e-15)
+        assert np.allclose(ours.inertia.parameters(), theirs.inertia.parameters(), atol=1e-15)
 
 
 def test_impossible_numbers_fail_although_every_law_holds(tmp_path):

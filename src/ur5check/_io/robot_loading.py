@@ -27,6 +27,7 @@ class RobotReading:
     """What reading a file gave.
 
     robot : None where the file describes none
+    base, tip : between which links the arm is taken: as asked, else a shipped model's own
     text : of the URDF, after xacro expansion, for engines that bring their own parser
     arm : where the format's reader gives one chain only (DH tables, MJCF, SDF)
     packages : where package:// addresses lead;  folder : of the file
@@ -39,6 +40,8 @@ class RobotReading:
     folder: Path
     text: str | None = None
     arm: SerialArm | None = None
+    base: str | None = None
+    tip: str | None = None
 
 
 def read_robot(
@@ -54,7 +57,7 @@ def read_robot(
     model : a shipped model's name, or the path of a .urdf, .xacro, MJCF .xml, .sdf or .toml file
     packages : ROS package names and their folders, before those that are found around the file
     arguments : values for a xacro's arguments
-    base, tip : for formats that give one chain only
+    base, tip : links between which the arm is taken
 
     Raises UsageError for a name that means nothing and a file that is not there.
     """
@@ -78,7 +81,9 @@ def read_robot(
     except OSError as error:
         raise UsageError(f"{path} cannot be read: {error.strerror}") from None
     here = _File(path, label, data, known)
-    reading = _read(here, suffix, arguments or {}, base, tip)
+    if entry is not None:  # as `load` does
+        base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
+    reading = replace(_read(here, suffix, arguments or {}, base, tip), base=base, tip=tip)
     if entry is None or reading.robot is None:
         return reading
     return replace(reading, robot=replace(reading.robot, name=entry.name))

@@ -92,12 +92,13 @@ def judge(
     expected_mass: float | None = None,
     meshes: bool = True,
 ) -> Judgement:
-    """Read a model's file whole, ask every rule, and check the computation of its arm.
+    """Read a model's file whole, apply every rule, and check the computation of its arm.
 
     Parameters
     ----------
     model : a shipped model's name or a path
-    base, tip, hold : which chain is the arm, and where joints beside it are held
+    base, tip, hold : which chain is the arm (default: a shipped model's own, else as `load`
+        chooses), and where joints beside it are held
     packages, arguments : of ROS and of a xacro
     samples, seed : states at which the computation is checked
     payload : mass at the tip [kg];  expected_mass : of the whole robot [kg]
@@ -134,7 +135,7 @@ def judge(
         return Judgement(
             str(model), reading.file, None, reading.findings, None, none, None, none, samples, seed
         )
-    arm, arm_note = _arm(reading, base, tip, hold)
+    arm, arm_note = _arm(reading, hold)
     reader = MeshReader(reading.folder, reading.packages) if meshes else None
     subject = RuleSubject(
         reading.robot, reader, arm=arm, payload=payload, expected_mass=expected_mass
@@ -155,15 +156,15 @@ def judge(
     )
 
 
-def _arm(
-    reading: RobotReading, base: str | None, tip: str | None, hold: Mapping[str, float] | None
-) -> tuple[SerialArm | None, str]:
+def _arm(reading: RobotReading, hold: Mapping[str, float] | None) -> tuple[SerialArm | None, str]:
     if reading.arm is not None or reading.robot is None:
         if hold:
             raise UsageError(f"{reading.file} has no joint beside its arm that could be held")
         return reading.arm, ""
     try:
-        arm = arm_of_robot(reading.robot, base=base, tip=tip, hold=hold, urdf=reading.text)
+        arm = arm_of_robot(
+            reading.robot, base=reading.base, tip=reading.tip, hold=hold, urdf=reading.text
+        )
     except ModelError as error:
         return None, f"{error.element or 'the robot'} {error.problem}; {error.fix}"
     return arm, ""
