@@ -54,3 +54,8 @@ def test_an_arm_with_other_numbers_is_no_longer_its_file():
         assert changed.source.urdf is None
         assert changed.source.inputs == arm.source.inputs
     assert arm.with_gravity((0, 0, -1.62)).source.urdf == arm.source.urdf
+
+
+@pytest.mark.parametrize("size", [1e200, 1e-200, 1e308, 5e-324])
+def test_an_axis_whose_square_is_no_double_is_made_a_unit_vector(size):
+    np.testing.assert_array_equal(Joint("j", [0, -size, 0]).axis, [0, -1, 0])

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from moving_arms import APPENDIX, CASE_9, pendulum
 from scipy.linalg import eigh
 
 import ur5check
+from ur5check import Inertia, SerialArm, Transform
 from ur5check._errors import StateError, UsageError
 from ur5check._reports.simulate_summary import reason, summarize, verdict
 from ur5check._simulation.equilibrium import gravity_stiffness, growth_rate
@@ -174,3 +177,14 @@ def test_an_error_grows_as_the_rate_says():
     motion = integrated(APPENDIX, held, CASE_9 + push, np.zeros(6), t, precision=REFERENCE)
     grown = np.linalg.norm(motion.q - CASE_9, axis=1) / np.linalg.norm(push)
     np.testing.assert_allclose(grown, np.cosh(rate * t), rtol=1e-4)
+
+
+def test_a_tool_on_the_axis_leaves_the_centre_of_mass_as_threshold():
+    rod = pendulum().links[0]
+    at_joint = replace(
+        rod, link_tip_frame=Transform.identity(), inertia=Inertia(2.0, (0, 0, 0.4), np.eye(3))
+    )
+    arm = SerialArm("rod", pendulum().joints, (at_joint,))
+    s = stand(arm, arm, [0.5], seconds=0.01)
+    assert s.still_angle * 0.4 == pytest.approx(STILL)
+    assert s.stands

@@ -111,7 +111,11 @@ class Joint:
         choice("kind", self.kind, ("revolute", "prismatic"))
         instance("limits", self.limits, Limits, "see ur5check.Limits")
         axis = frozen(self.axis, (3,), "axis")
-        length = float(np.linalg.norm(axis))
+        with np.errstate(over="ignore"):
+            length = float(np.linalg.norm(axis))
+        if axis.any() and not 0.0 < length < np.inf:  # squares of 1e±200 overflow or vanish
+            axis = axis / np.abs(axis).max()
+            length = float(np.linalg.norm(axis))
         if length == 0.0:
             raise ModelError(
                 "the axis is zero", fix="give its direction", element=f"joint {self.name!r}"

@@ -155,10 +155,10 @@ def _point_mass(s: RuleSubject) -> Iterator[Finding]:
 
 
 def _shape_without_mass(s: RuleSubject) -> Iterator[Finding]:
+    if all(link.inertial is None for link in s.robot.links):
+        return
     for body in s.robot.links:
         solid = any(shape.kind == "collision" for shape in body.shapes)
-        if all(link.inertial is None for link in s.robot.links):
-            return
         if not solid or body.name not in s.moving:
             continue
         if body.inertial is None or (body.inertial.readable and body.inertial.mass == 0.0):

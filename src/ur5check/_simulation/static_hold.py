@@ -95,10 +95,15 @@ class StaticHold(Result):
 
     @property
     def still_angle(self) -> float:
-        """The angle that moves the tool of the stretched arm by STILL [rad]."""
-        return STILL / float(
-            sum(np.linalg.norm(link.link_tip_frame.p) for link in self.pair.a.links)
-        )
+        """The angle that moves the tool of the stretched arm by STILL [rad].
+
+        Where the tool lies on every axis, the angle that moves the links' centres of mass so far.
+        """
+        links = self.pair.a.links
+        length = sum(float(np.linalg.norm(link.link_tip_frame.p)) for link in links)
+        if length == 0.0:
+            length = sum(float(np.linalg.norm(link.inertia.com)) for link in links)
+        return STILL / length if length > 0.0 else STILL
 
     @property
     def left_after(self) -> float | None:

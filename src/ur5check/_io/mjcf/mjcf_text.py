@@ -37,6 +37,8 @@ _NUMBERS = {
 #: Attributes whose product is the number of entries that an element unfolds into.
 _SIZES = {"hfield": ("nrow", "ncol"), "texture": ("width", "height")}
 _MOST_ENTRIES = 1_000_000
+#: Elements that all <replicate>s make; MuJoCo's time to remove so many shapes again is seconds.
+_MOST_REPLICATED = 2_000
 
 _RANGES = ("range", "actuatorfrcrange", "ctrlrange", "forcerange")
 _NO_BODIES = {
@@ -66,6 +68,9 @@ class MjcfText:
             self._splice(include)
         self.root = root
         self._check_elements()
+        # Memory reserved for the user's data or the simulation: no part of the model.
+        for node in list(root.iterchildren("size")):
+            root.remove(node)
         self._places = Places(root)
         self.text = self._places.text
 
@@ -147,7 +152,14 @@ class MjcfText:
         return self._homes.get(node, self.file)
 
     def _check_elements(self) -> None:
+        replicated = 0.0
         for node in self.root.iter(etree.Element):
+            if next(node.iterancestors("replicate"), None) is not None:
+                replicated += _repeats(node)
+            if replicated > _MOST_REPLICATED:
+                around = next(node.iterancestors("replicate"))
+                problem = f"makes {replicated:,.0f} elements, more than {_MOST_REPLICATED:,}"
+                self.fail(around, "<replicate>", problem, "lower its count, or leave it out")
             self._check_size(node)
             if node.tag in _NO_BODIES and node.getparent().tag != "default":
                 fix = "write rigid bodies out (MuJoCo's spec.to_xml() does), or remove it"
