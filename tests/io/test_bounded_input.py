@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import os
+import time
 
 import pytest
 
+from ur5check._errors import ModelError
 from ur5check._files import read_regular
+from ur5check._io.ros_packages import PackageMap
+from ur5check._io.xacro.xacro_reader import expand_xacro
 from ur5check._rules.examples import robot
 from ur5check._validation.judgement import judge
 
@@ -40,6 +44,8 @@ def test_only_regular_files_of_bounded_size_are_read(tmp_path):
         ('<texture name="t" type="2d" builtin="flat" width="99999" height="99999"/>', ""),
         ("", '<replicate count="100000000"><geom size="1"/></replicate>'),
         ("", 3 * '<replicate count="1000">' + '<geom size="1"/>' + 3 * "</replicate>"),
+        ("", '<replicate count="20000"><geom size="1"/></replicate>'),
+        ("", 3 * '<replicate count="900"><geom size="1"/></replicate>'),
         ("", '<include file="/dev/zero"/>'),
     ],
 )
@@ -75,5 +81,30 @@ def test_names_of_any_language_are_ordinary_properties(tmp_path):
 
 
 def test_expansion_gives_only_xml(tmp_path):
-    text = robot().replace('<robot name="r">', XACRO).replace('name="arm"', 'name="${chr(1)}"')
-    assert rules_of(tmp_path, "r.xacro", text)[0].startswith(("XML", "XAC"))
+    file = tmp_path / "r.xacro"
+    file.write_text(f"{XACRO}<link name=\"${{'\\x01'}}\"/></robot>")
+    with pytest.raises(ModelError) as caught:
+        expand_xacro(file, arguments={}, packages=PackageMap())
+    assert (caught.value.rule, caught.value.file) == ("XML101", f"{file} (expanded)")
+    assert caught.value.line
+
+
+def test_memory_that_a_size_element_asks_for_is_not_taken(tmp_path):
+    text = MJCF.format(asset="", more="", body=BODY)
+    text = text.replace("<mujoco>", '<mujoco><size memory="900T" nuserdata="2000000000"/>')
+    assert "XML100" not in rules_of(tmp_path, "m.xml", text)
+
+
+def test_twenty_thousand_fixed_links_take_seconds(tmp_path):
+    n = 20_000
+    chain = "".join(
+        f'<link name="f{i}"/><joint name="t{i}" type="fixed">'
+        f'<parent link="f{i}"/><child link="{f"f{i + 1}" if i + 1 < n else "base"}"/></joint>'
+        for i in range(n)
+    )
+    file = tmp_path / "r.urdf"
+    file.write_text(robot().replace('<robot name="r">', f'<robot name="r">{chain}'))
+    start = time.process_time()
+    judgement = judge(file, samples=5)
+    assert time.process_time() - start < 20  # a quadratic rule takes 30 s and more
+    assert len(judgement.robot.links) > n

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
+import pytest
+
+import ur5check
+from ur5check._errors import ModelError
 from ur5check._io.package_search import packages_around
+from ur5check._io.ros_packages import PackageMap
+from ur5check._io.xacro.xacro_reader import expand_xacro
+from ur5check._rules.examples import robot
+
+ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+XACRO = f'{ROBOT}<link name="a"/></robot>'
 
 
 def package(folder, name):
@@ -29,3 +39,52 @@ def test_the_variables_of_ros(tmp_path, monkeypatch):
 
 def test_a_file_in_no_package_finds_none(tmp_path):
     assert packages_around(tmp_path / "arm.urdf") == {}
+
+
+def test_the_other_packages_of_a_colcon_workspace(tmp_path):
+    own = package(tmp_path / "install/arm/share/arm", "arm")
+    other = package(tmp_path / "install/hand/share/hand", "hand")
+    assert packages_around(own / "urdf/arm.urdf") == {"arm": own, "hand": other}
+
+
+def linked(folder, target):
+    """A package as `colcon build --symlink-install` leaves it; its sources."""
+    source = package(target, "arm")
+    (source / "arm.xacro").write_text(XACRO)
+    folder.mkdir(parents=True)
+    (folder / "arm.xacro").symlink_to(source / "arm.xacro")
+    return source
+
+
+@pytest.mark.parametrize("manifest", ["linked", "copied", "of another package"])
+def test_links_into_a_packages_own_sources_are_read(tmp_path, manifest):
+    share = tmp_path / "install/arm/share/arm"
+    source = linked(share, tmp_path / "src/arm")
+    if manifest == "linked":
+        (share / "package.xml").symlink_to(source / "package.xml")
+    else:
+        (share / "package.xml").write_text("<package><name>arm</name></package>")
+    if manifest == "of another package":
+        (source / "package.xml").write_text("<package><name>other</name></package>")
+    file = tmp_path / "robots" / "r.xacro"
+    file.parent.mkdir()
+    file.write_text(
+        XACRO.replace("<link", '<xacro:include filename="$(find arm)/arm.xacro"/><link')
+    )
+    packages = PackageMap({"arm": (share,)})
+    if manifest == "of another package":
+        with pytest.raises(ModelError) as caught:
+            expand_xacro(file, arguments={}, packages=packages)
+        assert caught.value.rule == "XAC103"
+    else:
+        expansion = expand_xacro(file, arguments={}, packages=packages)
+        assert expansion.text.count("<link") == 2
+        assert "package://arm/arm.xacro" in dict(expansion.inputs)
+
+
+def test_load_finds_the_package_around_the_file(tmp_path):
+    own = package(tmp_path / "arm", "arm")
+    (own / "part.xacro").write_text(robot().replace('<robot name="r">', ROBOT))
+    file = own / "r.xacro"
+    file.write_text(f'{ROBOT}<xacro:include filename="$(find arm)/part.xacro"/></robot>')
+    assert ur5check.load(file).n == 1

@@ -51,7 +51,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Expand and print."""
-    from .._io.ros_packages import default_packages
+    from .._io.package_search import known_packages
     from .._io.shipped_models import SHIPPED_MODELS
     from .._io.xacro.xacro_reader import expand_xacro
     from .input_files import input_files
@@ -68,9 +68,8 @@ def run(args: argparse.Namespace) -> int:
         if args.reader is None:
             progress(args.quiet, f"{args.file} is a URDF: there is nothing to expand")
     elif kind == "xacro":
-        expansion = expand_xacro(
-            path, arguments=arguments, packages=default_packages().with_packages(packages)
-        )
+        known = known_packages(path, packages)
+        expansion = expand_xacro(path, arguments=arguments, packages=known)
         for warning in expansion.warnings:
             progress(args.quiet, " ".join(f"xacro says: {warning}".split()))
         check_output(args.output, input_files(args.file, expansion.inputs, packages))
@@ -88,7 +87,7 @@ def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[s
     from .._engines.known_issues import repaired_text
     from .._engines.registry import READERS
     from .._io.meshes.mesh_paths import with_mesh_paths
-    from .._io.ros_packages import default_packages
+    from .._io.package_search import known_packages
     from .._io.urdf.urdf_checks import check_urdf
 
     check_urdf(text.encode(), args.file)
@@ -98,8 +97,7 @@ def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[s
             args.quiet, f"rewritten for {args.reader}, where {known_issue.title} ({known_issue.id})"
         )
     if not READERS[args.reader].finds_packages:  # it stops at a mesh that it does not find
-        known = default_packages().with_packages(packages)
-        text, lost = with_mesh_paths(text, known, path.parent)
+        text, lost = with_mesh_paths(text, known_packages(path, packages), path.parent)
         for sentence in lost:
             progress(args.quiet, sentence)
     return text

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import shlex
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .._errors import UsageError
@@ -55,7 +56,7 @@ def run(args: argparse.Namespace) -> int:
     """Write the packages; print their folder and the torque that they publish."""
     from .._io.gazebo.gazebo_package import gazebo_packages
     from .._io.gazebo.package_folder import check_folder, write_folder
-    from .._io.ros_packages import default_packages
+    from .._io.package_search import known_packages
     from .._io.shipped_models import SHIPPED_MODELS
     from .._paper.cases import case
     from .output import emit
@@ -66,12 +67,13 @@ def run(args: argparse.Namespace) -> int:
     if args.pose is None:
         args.pose = _case_9(case(9).joint_angles(), args.model, arm.n)
     entry = SHIPPED_MODELS.get(args.model)
+    file = entry.path() if entry else Path(args.model)
     packages = gazebo_packages(
         arm,
         args.pose,
         ros=_ROS[args.ros],
-        packages=default_packages().with_packages(options.packages),
-        file=str(entry.path()) if entry else args.model,
+        packages=known_packages(file, options.packages),
+        file=str(file),
         licence=entry.licence if entry else "that of its own file",
         command=_command(args),
     )

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from .._errors import ModelError
-from .._io.ros_packages import default_packages
+from .._io.package_search import known_packages
 from .._io.shipped_models import SHIPPED_MODELS
 
 __all__ = ["input_files"]
@@ -17,7 +17,7 @@ def input_files(
 ) -> list[Path]:
     """The model's own file, and those named in its `inputs` that can be found again."""
     file = SHIPPED_MODELS[model].path() if model in SHIPPED_MODELS else Path(model)
-    map_of_packages = default_packages().with_packages(packages)
+    map_of_packages = known_packages(file, packages)
     files = [file]
     for name, _ in inputs:
         try:

@@ -14,8 +14,8 @@ from .._finding import Finding, Place
 from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
 from .._rules.finding_log import FindingLog, finding_of
-from .package_search import packages_around
-from .ros_packages import PackageMap, default_packages
+from .package_search import known_packages
+from .ros_packages import PackageMap
 from .shipped_models import SHIPPED_MODELS
 from .suggestions import did_you_mean
 
@@ -71,10 +71,7 @@ def read_robot(
             f"{path}: there is no such file, and no shipped model of this name; "
             f"{did_you_mean(path.stem, SHIPPED_MODELS)}"
         )
-    around = default_packages().with_packages(
-        {name: str(folder) for name, folder in packages_around(path).items()}
-    )
-    known = around.with_packages(packages or {})
+    known = known_packages(path, packages)
     suffix = path.suffix.lower()
     try:
         data = read_regular(path)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..._robot.serial_arm import SerialArm
 from ..model_format import ModelFile
-from ..ros_packages import default_packages
+from ..package_search import known_packages
 from ..urdf.urdf_reader import read_urdf
 from .xacro_reader import expand_xacro
 
@@ -16,7 +16,7 @@ def read_xacro_file(file: ModelFile) -> SerialArm:
     expansion = expand_xacro(
         file.path,
         arguments=file.arguments or {},
-        packages=default_packages().with_packages(file.packages or {}),
+        packages=known_packages(file.path, file.packages),
     )
     # Lines are those of the expanded text: what stands in them may come from any of its files.
     return read_urdf(

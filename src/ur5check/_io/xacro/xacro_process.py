@@ -9,6 +9,7 @@ that the parent, if it ends this process, knows which expression did not end; th
 
 from __future__ import annotations
 
+import glob
 import hashlib
 import io
 import json
@@ -30,6 +31,7 @@ from ..._files import read_regular
 from ..suggestions import did_you_mean
 from ..xml.safe_xml import checked_xml
 from .xacro_confinement import check_expression, limit_resources, raise_fence
+from .xacro_packages import PackageFolders
 
 __all__ = ["main"]
 
@@ -90,7 +92,7 @@ class Worker:
 
     def __init__(self, request: dict[str, Any]) -> None:
         self.robot: str = request["robot"]
-        self.packages: dict[str, list[str]] = request["packages"]
+        self.packages = PackageFolders(request["packages"])
         self.folders: list[str] = request["folders"]
         self.arguments = Arguments(request["arguments"])
         self.note_bytes: int = request["note_bytes"]
@@ -98,6 +100,7 @@ class Worker:
         self.inputs: list[tuple[str, str]] = []
         self.said = io.StringIO()  # what xacro prints: its warnings
         self.snippet = ""  # the text that is being evaluated, as the file has it
+        self.error_files: list[str] = []  # of an error that was found earlier
 
     def expand(self) -> dict[str, Any]:
         """The answer."""
@@ -106,6 +109,7 @@ class Worker:
         document = xacro.parse(None, self.robot)
         xacro.process_doc(document, mappings=self.arguments)
         self.arguments.check_all_known(self.robot)
+        self.packages.check_robot(document)
         # Without xacro's banner: it carries the file's path, which is no part of the robot.
         return {
             "text": document.toprettyxml(indent="  "),
@@ -146,6 +150,7 @@ class Worker:
         xacro.safe_eval = self._watched(evaluate, lambda text: f"${{{text}}}")
         xacro.parse = self._parse
         xacro.open = self._open  # all that load_yaml reads goes through it
+        xacro.glob = types.SimpleNamespace(glob=self._glob)
 
     def _watched(
         self, function: Callable[..., Any], as_written: Callable[[str], str]
@@ -162,15 +167,7 @@ class Worker:
         return watched
 
     def _find(self, name: str) -> str:
-        if name not in self.packages:
-            near = did_you_mean(name, self.packages)
-            raise ModelError(
-                f"package {name!r} is not known",
-                fix=f"pass --package {name}=DIR ({near})",
-                element=f"$(find {name})",
-                rule="XAC101",
-            )
-        return self.packages[name][0]
+        return self.packages.find(name, self.snippet, list(self._files()))
 
     def _parse(self, source: None, filename: str) -> xml.dom.minidom.Document:
         """`xacro.parse`, which gets a file's name only, for the robot file and for each include."""
@@ -194,6 +191,10 @@ class Worker:
             raise absent from None
         return xml.dom.minidom.parseString(checked_xml(data, filename))  # noqa: S318
 
+    def _glob(self, pattern: str) -> list[str]:
+        self.packages.check(pattern)
+        return glob.glob(pattern)  # noqa: PTH207
+
     def _open(self, filename: str) -> io.StringIO:
         try:
             return io.StringIO(self._read(filename, "xacro.load_yaml").decode("utf-8"))
@@ -206,6 +207,7 @@ class Worker:
             ) from None
 
     def _read(self, filename: str, element: str) -> bytes:
+        self.packages.check(filename)
         path = os.path.realpath(self._in_any_folder(filename))
         if not any(path.startswith(folder + os.sep) for folder in self.folders):
             self.snippet = filename.rpartition(os.sep)[2]
@@ -224,7 +226,7 @@ class Worker:
         """$(find) can only name a package's first folder; the file may lie in another one."""
         absolute = os.path.abspath(filename)  # noqa: PTH100
         if not os.path.lexists(absolute):
-            for first, *others in self.packages.values():
+            for first, *others in self.packages.packages.values():
                 if absolute.startswith(first + os.sep):
                     for other in others:
                         elsewhere = other + absolute[len(first) :]
@@ -271,6 +273,7 @@ class Worker:
             )
             if explained is not None:
                 self.snippet = getattr(error, "snippet", self.snippet)
+                self.error_files = getattr(error, "files", [])
                 return self._error(
                     explained.problem,
                     explained.fix,
@@ -348,6 +351,7 @@ class Worker:
 
     def _files(self) -> Iterator[str]:
         """Where the text under evaluation may stand: the macro's file, then those being read."""
+        yield from self.error_files
         if xacro.macrostack and xacro.macrostack[-1].history:
             yield str(xacro.macrostack[-1].history[-1][-1])
         yield from map(str, reversed(xacro.filestack or [self.robot]))

@@ -22,6 +22,7 @@ from xml.sax.saxutils import escape
 
 from ..._errors import ModelError
 from ..._files import read_regular
+from ..package_search import with_linked_sources
 from ..ros_packages import PackageMap
 from ..xml.safe_xml import checked_xml
 
@@ -76,6 +77,7 @@ def expand_xacro(
             rule="XAC101",
         )
     robot = robot.resolve()
+    packages = with_linked_sources(packages)
     folders = [str(robot.parent), *(str(f) for fs in packages.folders.values() for f in fs)]
     request = {
         "robot": str(robot),
@@ -97,7 +99,7 @@ def expand_xacro(
         if "error" in answer:
             raise _error(answer["error"], answer["files"], answer["snippet"], shown)
         names = _Names(str(robot), str(path), packages)
-        checked_xml(str(answer["text"]).encode(), f"{shown} (expanded)")
+        checked_xml(str(answer["text"]).encode(), f"{path} (expanded)")
         return Expansion(
             str(answer["text"]),
             tuple((names.of(str(file)), str(digest)) for file, digest in answer["inputs"]),
