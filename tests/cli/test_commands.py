@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -48,8 +50,41 @@ def test_validate_is_the_paper_against_its_appendix(ur5check: Command) -> None:
     assert [line.split()[0] for line in lines if line[:4].isupper()] == ["PASS", "PASS", "ACCEPTED"]
     assert len(lines) <= 24
     whole = ur5check("validate", *FEW, "--full")
-    assert "command: ur5check validate paper appendix --samples 200 --seed 0" in whole.out
+    assert "command: ur5check validate --samples 200 --seed 0 --fail-level error" in whole.out
     assert all(line.startswith("ur5check: ") for line in said.err.splitlines())
+
+
+def test_the_command_in_a_verdict_gives_the_same_verdict(ur5check: Command, two_arms: Path) -> None:
+    given = (
+        "--base", "body", "--tip", "left_hand", "--hold", "right_joint=0.5", "--payload", 2.0,
+        "--expect-mass", 9.0, "--no-meshes", "--fail-level", "warning", "--format", "json",
+    )  # fmt: skip
+    said = ur5check("validate", two_arms, "--samples", 20, *given)
+    report = json.loads(said.out)
+    assert said.code == 1
+    assert "ROB101" in {finding["rule"] for finding in report["files"][0]["findings"]}
+    _, *words = shlex.split(report["command"])
+    again = ur5check(*words, "--format", "json")
+    assert (again.code, json.loads(again.out)) == (1, report)
+
+
+def test_a_verdict_takes_no_gravity_that_it_would_not_use(ur5check: Command) -> None:
+    assert ur5check("validate", "paper", "--gravity", 0, 0, 0).code == 2
+
+
+def test_what_describes_no_robot_is_in_the_report_with_its_hash(
+    ur5check: Command, tmp_path: Path
+) -> None:
+    file, config = tmp_path / "arm.urdf", tmp_path / "ur5check.toml"
+    file.write_text("<robot")
+    config.write_text('fail-level = "warning"\n')
+    said = ur5check("validate", file, "--format", "json")
+    report = json.loads(said.out)
+    assert (said.code, report["passed"]) == (1, False)
+    assert {one["name"]: one["sha256"] for one in report["inputs"]} == {
+        str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in (file, config)
+    }
+    assert report["summary"][0].startswith("0 of 1")
 
 
 def test_quiet_is_quiet(ur5check: Command) -> None:

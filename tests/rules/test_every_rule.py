@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from ur5check._rules.examples import joint, link, robot
 from ur5check._rules.registry import all_rules
 from ur5check._validation.judgement import judge
 
@@ -29,6 +30,13 @@ def test_a_rule_accepts_its_good_example(rule, tmp_path):
 
 
 def test_the_plain_example_has_no_finding_at_all(tmp_path):
-    from ur5check._rules.examples import robot
-
     assert ids_found(robot(), tmp_path) == set()
+
+
+def test_rounding_in_place_of_a_tensor_is_no_tensor(tmp_path):
+    """What an exporter leaves is judged as zero, whatever its signs; larger entries are not."""
+    for entries in ({"ixx": "2e-18", "iyy": "-1e-20", "izz": "1e-19"}, {"ixx": "1e-13"}):
+        dust = {"ixx": "0", "iyy": "0", "izz": "0", **entries}
+        assert ids_found(robot(joint(), link(**dust)), tmp_path) == {"INE106"}
+    small = {"ixx": "2e-9", "iyy": "-1e-9", "izz": "2e-9"}
+    assert "INE102" in ids_found(robot(joint(), link(**small)), tmp_path)

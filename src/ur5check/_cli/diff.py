@@ -16,6 +16,7 @@ from .._errors import UsageError
 from .options import (
     MODELS,
     ModelOptions,
+    add_gravity_option,
     add_model_options,
     add_output_options,
     add_state_options,
@@ -60,6 +61,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="largest acceleration in the search for the worst state [rad/s²] (default: 10)",
     )
     add_state_options(parser)
+    add_gravity_option(parser)
     add_model_options(parser, ("a", "b"))
     add_output_options(parser)
 

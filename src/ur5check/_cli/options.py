@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 __all__ = [
     "MODELS",
     "ModelOptions",
+    "add_gravity_option",
     "add_model_options",
     "add_output_options",
     "add_state_options",
@@ -49,18 +50,25 @@ def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True)
     parser.add_argument("--quiet", action="store_true", help="show no progress on stderr")
 
 
-def add_state_options(parser: argparse.ArgumentParser, *, samples: int | None = 10_000) -> None:
-    """--samples, --seed, --gravity."""
+def add_state_options(parser: argparse.ArgumentParser, *, many: bool = False) -> None:
+    """--samples, --seed.
+
+    many : for a command that takes many models, which chooses their number of states itself
+    """
     parser.add_argument(
         "--samples",
         type=int,
-        default=samples,
+        default=None if many else 10_000,
         metavar="N",
-        help="number of random states (default: 10000)",
+        help=f"number of random states (default: 10000{'; 100 of many models' if many else ''})",
     )
     parser.add_argument(
         "--seed", type=int, default=0, metavar="N", help="seed of the random states (default: 0)"
     )
+
+
+def add_gravity_option(parser: argparse.ArgumentParser) -> None:
+    """--gravity."""
     parser.add_argument(
         "--gravity",
         type=float,

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -78,7 +79,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--jobs", type=int, metavar="N", help="processes for many files (default: one a core)"
     )
-    add_state_options(parser, samples=None)
+    add_state_options(parser, many=True)
     add_model_options(parser, ("", "a", "b"))
     add_output_options(parser)
 
@@ -101,6 +102,10 @@ def run(args: argparse.Namespace) -> int:
         configuration = _papers_configuration()
     else:
         configuration = find_configuration(_folder_of(models[0]))
+    if args.samples is None:
+        args.samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
+    if args.fail_level is None:
+        args.fail_level = configuration.fail_level
     requests = _requests(args, models)
     jobs = (os.cpu_count() or 1) if args.jobs is None else args.jobs
     if jobs < 1:
@@ -109,7 +114,7 @@ def run(args: argparse.Namespace) -> int:
         verdicts(
             requests,
             configuration,
-            args.fail_level or configuration.fail_level,
+            args.fail_level,
             jobs=jobs if len(requests) > 2 else 1,
             progress=lambda line: progress(args.quiet, line),
         )
@@ -122,20 +127,15 @@ def run(args: argparse.Namespace) -> int:
     robots = [(v.judgement.model, v.judgement.robot) for v in results]
     read = [file for m, x in robots if x is not None for file in input_files(m, x.inputs, packages)]
     check_output(args.output, read)
-    command = command_line("validate", args, tuple(args.models) or ("paper", "appendix"))
-    emit(_text(args, results, pair, configuration, command), args.output)
+    emit(_text(args, results, pair, configuration, _command(args)), args.output)
     return 0 if all(v.passed for v in results) and (pair is None or pair.passed) else 1
 
 
 def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
+    from .._arguments import integer
     from .._validation.verdict import Request
 
-    samples = args.samples
-    if samples is None:
-        samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
-    from .._arguments import integer
-
-    integer("samples", samples, least=1)
+    integer("samples", args.samples, least=1)
     integer("seed", args.seed, least=0)
     ends = _ends(args, len(models))
     hold = {}
@@ -154,7 +154,7 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
             tuple(hold.items()),
             packages,
             arguments,
-            samples,
+            args.samples,
             args.seed,
             args.payload,
             args.expect_mass,
@@ -162,6 +162,18 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
         )
         for model, (base, tip) in zip(models, ends, strict=True)
     ]
+
+
+def _command(args: argparse.Namespace) -> str:
+    """The command of this report; the file of --config as it was given."""
+    words = [command_line("validate", args, tuple(args.models)), "--fail-level", args.fail_level]
+    if args.config is not None:
+        words += ["--config", shlex.quote(args.config)]
+    if args.expect_mass is not None:
+        words += ["--expect-mass", repr(args.expect_mass)]
+    words += ["--payload", repr(args.payload)]
+    words += [f"--hold {shlex.quote(held)}" for held in args.hold]
+    return " ".join(words + ["--no-meshes"] * args.no_meshes)
 
 
 def _ends(args: argparse.Namespace, count: int) -> list[tuple[str | None, str | None]]:
@@ -192,7 +204,7 @@ def _papers_configuration() -> Configuration:
     from .._io.ros_packages import models_directory
     from .._validation.configuration import read_configuration
 
-    return read_configuration(models_directory() / "ur5check.toml")
+    return read_configuration(models_directory() / "ur5check.toml", "models/ur5check.toml")
 
 
 def _text(
@@ -213,9 +225,9 @@ def _text(
     tables = rendered(
         form,
         args.output,
-        document=lambda: verdict_document(results, pair, laws, command=command),
+        document=lambda: verdict_document(results, pair, laws, configuration, command=command),
         report=lambda: validate_json(
-            laws, verdicts=results, pair=pair, configuration=configuration.path, command=command
+            laws, verdicts=results, pair=pair, configuration=configuration, command=command
         ),
     )
     return f"{verdicts_text(results, pair, full=True)}\n{tables}" if form.name == "text" else tables

@@ -14,6 +14,7 @@ from .._finding import Finding, Place
 from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
 from .._rules.finding_log import FindingLog, finding_of
+from .formats import format_by_suffix
 from .package_search import known_packages
 from .ros_packages import PackageMap
 from .shipped_models import SHIPPED_MODELS
@@ -27,6 +28,7 @@ class RobotReading:
     """What reading a file gave.
 
     robot : None where the file describes none
+    inputs : (name, SHA-256) of every file that was read
     base, tip : between which links the arm is taken: as asked, else a shipped model's own
     text : of the URDF, after xacro expansion, for engines that bring their own parser
     arm : where the format's reader gives one chain only (DH tables, MJCF, SDF)
@@ -38,6 +40,7 @@ class RobotReading:
     findings: tuple[Finding, ...]
     packages: PackageMap
     folder: Path
+    inputs: tuple[tuple[str, str], ...]
     text: str | None = None
     arm: SerialArm | None = None
     base: str | None = None
@@ -72,7 +75,6 @@ def read_robot(
             f"{did_you_mean(path.stem, SHIPPED_MODELS)}"
         )
     known = known_packages(path, packages)
-    suffix = path.suffix.lower()
     try:
         data = read_regular(path)
     except OSError as error:
@@ -80,7 +82,7 @@ def read_robot(
     here = _File(path, label, data, known)
     if entry is not None:  # as `load` does
         base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
-    reading = replace(_read(here, suffix, arguments or {}, base, tip), base=base, tip=tip)
+    reading = replace(_read(here, arguments or {}, base, tip), base=base, tip=tip)
     if entry is None or reading.robot is None:
         return reading
     return replace(reading, robot=replace(reading.robot, name=entry.name))
@@ -144,18 +146,30 @@ def load_robot(
 
 
 def _read(
-    here: _File, suffix: str, arguments: Mapping[str, str], base: str | None, tip: str | None
+    here: _File, arguments: Mapping[str, str], base: str | None, tip: str | None
 ) -> RobotReading:
-    path, label, data = here.path, here.label, here.data
-    if suffix == ".xacro":
+    kind = _kind(here)
+    macros = b"xmlns:xacro" in here.data and b"<xacro:" in here.data
+    if kind == "xacro" or (kind == "urdf" and macros):
         return _xacro(here, arguments)
-    if suffix in (".toml", ".sdf", ".mjcf") or (suffix == ".xml" and b"<mujoco" in data):
-        return _one_chain(here, base, tip)
-    if suffix in (".urdf", ".xml"):
-        if b"xmlns:xacro" in data and b"<xacro:" in data:
-            return _xacro(here, arguments)
-        return _urdf(here, data, label, "urdf", ((label, hashlib.sha256(data).hexdigest()),))
-    raise UsageError(f"{path} is no kind of file that a robot is read from")
+    if kind == "urdf":
+        return _urdf(here, here.data, here.label, "urdf", here.inputs)
+    return _one_chain(here, base, tip)
+
+
+def _kind(here: _File) -> str:
+    """The file's format.  A .xml is MJCF or URDF: its root says which."""
+    from .xml.xml_tree import XmlError, parse_xml
+
+    form = format_by_suffix(here.path)
+    if form is None:
+        raise UsageError(f"{here.path} is no kind of file that a robot is read from")
+    if here.path.suffix.lower() != ".xml":
+        return form.kind
+    try:
+        return "mjcf" if parse_xml(here.data, here.label).tag == "mujoco" else "urdf"
+    except XmlError:
+        return "urdf"  # whose reader reports it
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,8 +179,14 @@ class _File:
     data: bytes
     packages: PackageMap
 
+    @property
+    def inputs(self) -> tuple[tuple[str, str], ...]:
+        return ((self.label, hashlib.sha256(self.data).hexdigest()),)
+
     def nothing(self, *findings: Finding) -> RobotReading:
-        return RobotReading(self.label, None, findings, self.packages, self.path.parent)
+        return RobotReading(
+            self.label, None, findings, self.packages, self.path.parent, self.inputs
+        )
 
 
 def _urdf(
@@ -191,6 +211,7 @@ def _urdf(
         tuple(log.findings),
         file.packages,
         file.path.parent,
+        inputs,
         data.decode("utf-8"),
     )
 
@@ -216,5 +237,12 @@ def _one_chain(file: _File, base: str | None, tip: str | None) -> RobotReading:
     except ModelError as error:
         return file.nothing(error.finding)
     return RobotReading(
-        file.label, robot_of_arm(arm, file.label), (), file.packages, file.path.parent, None, arm
+        file.label,
+        robot_of_arm(arm, file.label),
+        (),
+        file.packages,
+        file.path.parent,
+        arm.source.inputs or file.inputs,
+        None,
+        arm,
     )

@@ -7,6 +7,7 @@ from typing import Literal
 
 import msgspec
 
+from .._validation.configuration import Configuration
 from .._validation.law import Outcome
 from .._validation.validation import Validation
 from .._validation.verdict import PairVerdict, Verdict
@@ -15,14 +16,14 @@ from .json_report import Report, head
 from .json_values import Model, Number, State, model_value, state
 from .validate_summary import summarize
 from .verdict_json import Agreement, FileVerdict, agreement_value, file_verdict
+from .verdict_summary import inputs_of_verdicts, summarize_verdicts
 
 __all__ = ["ValidateReport", "validate_json"]
 
 
 class ValidateVerdict(msgspec.Struct, frozen=True, kw_only=True):
-    """Whether the models passed, and the three judgements that this is made of."""
+    """What the computation says of the arms, whatever the findings say of the files."""
 
-    passed: bool
     algorithm: bool
     bodies: bool
     explained: bool
@@ -74,31 +75,38 @@ def validate_json(
     *,
     verdicts: Sequence[Verdict] = (),
     pair: PairVerdict | None = None,
-    configuration: str = "",
+    configuration: Configuration | None = None,
     command: str = "",
 ) -> ValidateReport:
     """The report of `ur5check validate`.
 
-    v : the laws of the arms that were computed;  configuration : the file of what is accepted
+    v : the laws of the arms that were computed;  configuration : what is accepted
     """
     arms = [model.arm for model in v.models]
-    robots = [x.judgement.robot for x in verdicts if x.judgement.robot is not None]
-    inputs = dict.fromkeys(one for robot in robots for one in robot.inputs)
+    accepts = configuration or Configuration()
     return ValidateReport(
-        **head(() if inputs else arms, command, seed=v.seed, samples=v.samples, files=inputs),
+        **head(
+            () if verdicts else arms,
+            command,
+            seed=v.seed,
+            samples=v.samples,
+            files=inputs_of_verdicts(verdicts, accepts),
+        ),
         passed=all(x.passed for x in verdicts)
         and (v.passed if pair is None else pair.passed and v.algorithm_right),
         fail_level=verdicts[0].fail_level if verdicts else "error",
-        configuration=configuration or None,
+        configuration=accepts.path or None,
         files=[file_verdict(x) for x in verdicts],
         agreement=None if pair is None else agreement_value(pair),
         verdict=ValidateVerdict(
-            passed=v.passed,
             algorithm=v.algorithm_right,
             bodies=v.bodies_possible,
             explained=v.explained,
         ),
-        summary=list(summarize(v)) if v.models else [],
+        summary=[
+            *([summarize_verdicts(verdicts, pair)] if verdicts else []),
+            *(summarize(v) if v.models else []),
+        ],
         models=[
             ValidatedModel(
                 model=model_value(model.arm), reference=model.reference, route=model.route

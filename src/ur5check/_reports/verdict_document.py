@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .._finding import Finding
+from .._validation.configuration import Configuration
 from .._validation.validation import Validation
 from .._validation.verdict import PairVerdict, Verdict
 from .document import Column, Document, Row, Section, Table
 from .document import Verdict as Headline
 from .provenance import Provenance
 from .validate_document import validate_document
+from .verdict_summary import inputs_of_verdicts, summarize_verdicts
 
 __all__ = ["verdict_document"]
 
@@ -19,19 +21,15 @@ def verdict_document(
     results: Sequence[Verdict],
     pair: PairVerdict | None,
     laws: Validation,
+    configuration: Configuration,
     *,
     command: str = "",
 ) -> Document:
     """The report of `ur5check validate`.  laws : of the arms that were computed"""
-    failed = sum(not v.passed for v in results)
-    good = not failed and (pair is None or pair.passed)
-    text = f"{len(results) - failed} of {len(results)} models pass."
-    if pair is not None:
-        text += f" {pair.label}: {'agree or accepted' if pair.passed else 'DIFFER'}."
+    good = all(v.passed for v in results) and (pair is None or pair.passed)
+    text = summarize_verdicts(results, pair)
     sections = [_section(v) for v in results]
-    inputs = tuple(
-        one for v in results if v.judgement.robot is not None for one in v.judgement.robot.inputs
-    )
+    inputs = inputs_of_verdicts(results, configuration)
     first = results[0].judgement
     if laws.models:
         whole = validate_document(laws, command=command)
@@ -41,7 +39,7 @@ def verdict_document(
         Headline("PASS" if good else "FAIL", text, good),
         (),
         tuple(sections),
-        Provenance(tuple(dict.fromkeys(inputs)), first.seed, first.samples, command),
+        Provenance(inputs, first.seed, first.samples, command),
     )
 
 

@@ -12,7 +12,7 @@ from .._robot.robot import Inertial, RobotLink
 from .._robot.transforms import Array
 from .examples import joint, link, robot
 from .finding_log import finding_of
-from .inertia_measures import subject_of
+from .inertia_measures import has_tensor, subject_of
 from .rule import Rule
 from .rule_subject import RuleSubject
 
@@ -25,7 +25,7 @@ _DUMMY = 1e-6
 def _mass(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
         m = inertial.mass
-        if m < 0.0 or (m == 0.0 and inertial.own_tensor.any()):
+        if m < 0.0 or (m == 0.0 and has_tensor(inertial)):
             problem = (
                 f"mass is negative, {m:.4g} kg"
                 if m < 0.0
@@ -40,7 +40,7 @@ def _mass(s: RuleSubject) -> Iterator[Finding]:
 
 def _positive(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
-        if not inertial.own_tensor.any():
+        if not has_tensor(inertial):
             continue
         judged = judge_tensor(inertial.own_tensor, inertial.tensor_rounding)
         if not judged.positive:
@@ -60,7 +60,7 @@ def _positive(s: RuleSubject) -> Iterator[Finding]:
 def _triangle(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
         judged = judge_tensor(inertial.own_tensor, inertial.tensor_rounding)
-        if inertial.own_tensor.any() and judged.positive and not judged.triangle:
+        if has_tensor(inertial) and judged.positive and not judged.triangle:
             over = -judged.margin / float(judged.moments[2])
             yield finding_of(
                 "INE103",
@@ -142,14 +142,16 @@ def _point_mass(s: RuleSubject) -> Iterator[Finding]:
     for body, group in _moving_groups(s):
         members = [(name, s.robot.link[name].inertial) for name in group]
         heavy = [(n, i) for n, i in members if i is not None and i.readable and i.mass > 0.0]
-        if heavy and not any(i.own_tensor.any() for _, i in heavy):
+        if heavy and not any(has_tensor(i) for _, i in heavy):
             mass = sum(i.mass for _, i in heavy)
+            largest = max(float(np.abs(i.own_tensor).max()) for _, i in heavy)
             yield finding_of(
                 "INE106",
                 subject_of(body),
-                f"moves with {mass:.4g} kg but without an inertia tensor",
+                f"moves with {mass:.4g} kg but without an inertia tensor"
+                + (f": no entry exceeds {largest:.2g} kg m²" if largest > 0.0 else ""),
                 heavy[0][1].place("inertia"),
-                value=0.0,
+                value=largest,
                 unit="kg m²",
             )
 

@@ -21,6 +21,7 @@ to be.
 from __future__ import annotations
 
 import datetime
+import hashlib
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -66,9 +67,13 @@ class Sorted:
 
 @dataclass(frozen=True)
 class Configuration:
-    """See the top of this file.  path : "" where there is none"""
+    """See the top of this file.
+
+    path : "" where there is none;  inputs : (path, SHA-256) of its file
+    """
 
     path: str = ""
+    inputs: tuple[tuple[str, str], ...] = ()
     fail_level: Severity = "error"
     select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
@@ -133,10 +138,14 @@ def find_configuration(start: Path) -> Configuration:
     return Configuration()
 
 
-def read_configuration(file: Path) -> Configuration:
-    """A configuration from a file.  Raises UsageError for one that is not as described above."""
+def read_configuration(file: Path, label: str | None = None) -> Configuration:
+    """A configuration from a file.  Raises UsageError for one that is not as described above.
+
+    label : what reports call the file (default: its path)
+    """
     try:
-        table: dict[str, Any] = tomllib.loads(file.read_text(encoding="utf-8"))
+        data = file.read_bytes()
+        table: dict[str, Any] = tomllib.loads(data.decode("utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise UsageError(f"{file}: {error}") from None
     if file.name == "pyproject.toml":
@@ -151,7 +160,8 @@ def read_configuration(file: Path) -> Configuration:
     if not isinstance(per_file, Mapping):
         raise UsageError(f"{file}: per-file takes patterns and lists of rules")
     return Configuration(
-        str(file),
+        label or str(file),
+        ((label or str(file), hashlib.sha256(data).hexdigest()),),
         cast("Severity", level),
         _words(file, "select", table.get("select", [])),
         _words(file, "ignore", table.get("ignore", [])),

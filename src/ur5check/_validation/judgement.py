@@ -42,12 +42,14 @@ class Judgement:
     """What is known of one model.
 
     model : as it was given;  file : what reports call it
+    inputs : (name, SHA-256) of the files that were read, meshes too
     robot : None where the file describes none;  arm : None where there is none, `arm_note` says why
     laws : of the computation on `arm`; None where it was not checked, `laws_note` says why
     """
 
     model: str
     file: str
+    inputs: tuple[tuple[str, str], ...]
     robot: Robot | None
     findings: tuple[Finding, ...]
     arm: SerialArm | None
@@ -133,7 +135,17 @@ def judge(
     if reading.robot is None:
         none = "the file describes no robot"
         return Judgement(
-            str(model), reading.file, None, reading.findings, None, none, None, none, samples, seed
+            str(model),
+            reading.file,
+            reading.inputs,
+            None,
+            reading.findings,
+            None,
+            none,
+            None,
+            none,
+            samples,
+            seed,
         )
     arm, arm_note = _arm(reading, hold)
     reader = MeshReader(reading.folder, reading.packages) if meshes else None
@@ -145,6 +157,7 @@ def judge(
     return Judgement(
         str(model),
         reading.file,
+        (*reading.inputs, *(() if reader is None else reader.inputs.items())),
         reading.robot,
         findings,
         arm,

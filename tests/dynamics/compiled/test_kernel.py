@@ -190,7 +190,12 @@ def test_options_without_meaning_are_refused(appendix):
 def test_what_many_threads_ask_for_at_once_is_made_once(tmp_path, monkeypatch):
     monkeypatch.setenv("UR5CHECK_CACHE", str(tmp_path))
     made, really = [], source.made
-    monkeypatch.setattr(source, "made", lambda *given: made.append(1) or really(*given))
+
+    def counted(*given):
+        made.append(1)
+        return really(*given)
+
+    monkeypatch.setattr(source, "made", counted)
     arm, q = random_arm(2, seed=11), random_states(2, 5, seed=1).q
     with ThreadPoolExecutor(4) as pool:
         found = list(pool.map(lambda _: ur5.compile(arm).gravity_torque(q), range(4)))

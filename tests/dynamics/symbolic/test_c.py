@@ -28,10 +28,10 @@ def compiled(source, folder):
 
 def run(library, program, given):
     """The compiled function at each state, through plain C arrays."""
-    function, defaults = getattr(library, program.quantity), ()
+    function, defaults = getattr(library, program.quantity), []
     if program.parameters:
         values = ctypes.c_double * len(program.parameters)
-        defaults = (ctypes.byref(values.in_dll(library, f"{program.quantity}_defaults")),)
+        defaults.append(ctypes.byref(values.in_dll(library, f"{program.quantity}_defaults")))
     results = []
     for state in zip(*given, strict=True):
         result = (ctypes.c_double * prod(program.shape))()

@@ -13,7 +13,7 @@ from repository import REPOSITORY
 from ur5check._cli.main import main
 
 PAGE = (REPOSITORY / "docs" / "closed-form.md").read_text(encoding="utf-8")
-COMMANDS = re.search(r"^```sh\n(.*?)^```", PAGE, re.M | re.S)[1].splitlines()
+(COMMANDS, *_) = [block.splitlines() for block in re.findall(r"(?ms)^```sh\n(.*?)^```", PAGE)]
 BLOCK = re.compile(r"^```python\n(.*?)^```\n+(?:```text\n(.*?)^```)?", re.M | re.S)
 
 

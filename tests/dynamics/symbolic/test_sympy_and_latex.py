@@ -59,7 +59,7 @@ def test_replacements_go_with_lambdify_as_those_of_cse():
 def test_every_line_of_latex_can_be_typeset(quantity, parameters):
     program = trace(ur5check.load("paper"), quantity, parameters=parameters, tries=0)
     text = to_latex(program, head=["where from"])
-    body = re.search(r"\\begin\{align\*\}\n(.*)\n\\end", text, re.S)[1]
+    (body,) = re.findall(r"(?s)\\begin\{align\*\}\n(.*)\n\\end", text)
     rows = body.split(" \\\\\n")
     assert len(rows) == len(program.setup + program.assignments + program.outputs)
     typesetter = MathTextParser("path")

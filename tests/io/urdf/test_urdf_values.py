@@ -51,9 +51,8 @@ def assert_same_numbers(text: bytes) -> tuple[int, int]:
         axis = joint.axis / np.linalg.norm(joint.axis)
         np.testing.assert_allclose(mine.axis, axis, atol=1e-15)
         if joint.limit is not None:
-            bounds = (None, None)
-            if edge.kind != "continuous":
-                bounds = (joint.limit.lower or 0.0, joint.limit.upper or 0.0)
+            given = (joint.limit.lower or 0.0, joint.limit.upper or 0.0)
+            bounds = (None, None) if edge.kind == "continuous" else given
             assert (mine.limits.lower, mine.limits.upper) == bounds
             given = (joint.limit.velocity, joint.limit.effort)
             assert (mine.limits.velocity, mine.limits.effort) == given

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..._errors import ModelError
+from ..._files import read_regular
 from ..._finding import Finding
 from ..._robot.robot import ShapeRef
 from ..._robot.transforms import Array
@@ -29,6 +31,8 @@ class MeshReader:
 
     def __init__(self, folder: Path, packages: PackageMap) -> None:
         self.folder, self.packages = folder, packages
+        #: SHA-256 of every mesh that was read, by its address in the file.
+        self.inputs: dict[str, str] = {}
 
     def __call__(self, shape: ShapeRef, subject: str) -> MeshBody | Finding:
         try:
@@ -39,6 +43,7 @@ class MeshReader:
                 value=shape.uri, fix=error.fix,
             )  # fmt: skip
         try:
+            self.inputs[shape.uri] = _digest(path)
             points, volume, hull_volume = _hull_and_volumes(path)
         except Exception as error:  # noqa: BLE001 - each format's library has errors of its own
             reason = " ".join(f"{type(error).__name__}: {error}".split())[:120]
@@ -50,6 +55,11 @@ class MeshReader:
         placed = (points * scale) @ shape.pose.R.T + shape.pose.p
         factor = float(abs(scale.prod()))
         return MeshBody(shape, placed, volume * factor, hull_volume * factor)
+
+
+@lru_cache(maxsize=256)
+def _digest(path: Path) -> str:
+    return hashlib.sha256(read_regular(path)).hexdigest()
 
 
 @lru_cache(maxsize=256)
