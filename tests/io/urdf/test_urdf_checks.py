@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from ur5check._errors import ModelError
-from ur5check._io.urdf.urdf_checks import check_urdf
+from ur5check._io.urdf.urdf_reader import read_urdf
 from urdf_examples import GOOD, spoiled
 
 TENSOR = 'ixx="0.02" ixy="0.001" ixz="0" iyy="0.03" iyz="0" izz="0.04"'
@@ -80,7 +80,7 @@ FAULTS = [
 )
 def test_each_fault_is_named_with_its_line(old: str, new: str, line: int, words: list[str]) -> None:
     with pytest.raises(ModelError) as caught:
-        check_urdf(spoiled(old, new), "spoiled.urdf")
+        read_urdf(spoiled(old, new), file="spoiled.urdf")
     error = caught.value
     assert (error.file, error.line) == ("spoiled.urdf", line), error
     assert error.element and error.fix
@@ -90,19 +90,19 @@ def test_each_fault_is_named_with_its_line(old: str, new: str, line: int, words:
 
 def test_a_robot_without_links_is_refused() -> None:
     with pytest.raises(ModelError, match="has no link"):
-        check_urdf(b'<robot name="empty"/>', "empty.urdf")
+        read_urdf(b'<robot name="empty"/>', file="empty.urdf")
 
 
 @pytest.mark.parametrize(("tag", "words"), [("sdf", "SDFormat"), ("mujoco", "MuJoCo")])
 def test_other_formats_are_named(tag: str, words: str) -> None:
     with pytest.raises(ModelError, match=f"{words}.*name it"):
-        check_urdf(f"<{tag}/>".encode(), "other.urdf")
+        read_urdf(f"<{tag}/>".encode(), file="other.urdf")
 
 
 def test_a_xacro_element_is_refused() -> None:
     macro = b'<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include/></robot>'
     with pytest.raises(ModelError, match=r"xacro:include.*not yet expanded"):
-        check_urdf(macro, "raw.urdf")
+        read_urdf(macro, file="raw.urdf")
 
 
 GOOD_VARIANTS = {
@@ -128,7 +128,7 @@ GOOD_VARIANTS = {
 
 @pytest.mark.parametrize(("old", "new"), GOOD_VARIANTS.values(), ids=GOOD_VARIANTS)
 def test_what_urdf_allows_is_allowed(old: str, new: str) -> None:
-    assert check_urdf(spoiled(old, new), "good.urdf").get("name") == "two"
+    assert read_urdf(spoiled(old, new), file="good.urdf").get("name") == "two"
 
 
 def tensor(ixx: str, iyy: str, izz: str, ixy: str = "0") -> bytes:
@@ -137,24 +137,24 @@ def tensor(ixx: str, iyy: str, izz: str, ixy: str = "0") -> bytes:
 
 def test_the_tolerance_is_the_rounding_of_the_digits_and_no_more() -> None:
     # 0.0033 and 0.0067 may each be off by 0.00005: the margin of −0.0001 lies within 0.00015.
-    check_urdf(tensor("0.0033", "0.0033", "0.0067"), "disc.urdf")
+    read_urdf(tensor("0.0033", "0.0033", "0.0067"), file="disc.urdf")
     # The same numbers printed with two digits more leave no room for it.
     with pytest.raises(ModelError, match="triangle"):
-        check_urdf(tensor("0.003300", "0.003300", "0.006700"), "disc.urdf")
+        read_urdf(tensor("0.003300", "0.003300", "0.006700"), file="disc.urdf")
     # The margin of −0.0002 is more than the digits can explain.
     with pytest.raises(ModelError, match="triangle"):
-        check_urdf(tensor("0.0033", "0.0033", "0.0068"), "disc.urdf")
+        read_urdf(tensor("0.0033", "0.0033", "0.0068"), file="disc.urdf")
     # ixy² > ixx iyy by rounding: the eigenvalue −0.00002 lies within the 0.00005 of ixx and iyy.
-    check_urdf(tensor("0.0100", "0.0100", "0.0200", "0.01002"), "rod.urdf")
+    read_urdf(tensor("0.0100", "0.0100", "0.0200", "0.01002"), file="rod.urdf")
     with pytest.raises(ModelError, match="positive definite"):
-        check_urdf(tensor("0.010000", "0.010000", "0.020000", "0.010020"), "rod.urdf")
+        read_urdf(tensor("0.010000", "0.010000", "0.020000", "0.010020"), file="rod.urdf")
     # Few digits printed are not few digits known: these are no rounded body's.
     with pytest.raises(ModelError, match="triangle"):
-        check_urdf(tensor("0.1", "0.1", "0.3"), "one_digit.urdf")
+        read_urdf(tensor("0.1", "0.1", "0.3"), file="one_digit.urdf")
     with pytest.raises(ModelError, match="triangle"):
-        check_urdf(tensor("1", "1", "3"), "whole.urdf")
+        read_urdf(tensor("1", "1", "3"), file="whole.urdf")
 
 
 def test_the_good_file_is_good() -> None:
-    root = check_urdf(GOOD.encode(), "good.urdf")
+    root = read_urdf(GOOD.encode(), file="good.urdf")
     assert [link.get("name") for link in root.iter("link")] == ["base", "upper", "lower", "tool"]
