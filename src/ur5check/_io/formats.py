@@ -48,8 +48,19 @@ def format_of_text(form: ModelFormat, path: Path, data: bytes, label: str) -> Mo
     """
     if path.suffix.lower() == ".xml":
         form = _format_by_root(data, label)
-    macros = b"xmlns:xacro" in data and b"<xacro:" in data
-    return XACRO if form is URDF and macros else form
+    return XACRO if form is URDF and _has_macros(data, label) else form
+
+
+def _has_macros(data: bytes, label: str) -> bool:
+    """Whether there are xacro's elements in a URDF's text, not only in its comments."""
+    from .xml.xml_tree import XmlError, parse_xml
+
+    if b"xmlns:xacro" not in data or b"<xacro:" not in data:
+        return False
+    try:
+        return any(node.tag.startswith("xacro:") for node in parse_xml(data, label).walk())
+    except XmlError:
+        return False  # whose reader reports it
 
 
 def _format_by_root(data: bytes, label: str) -> ModelFormat:
