@@ -59,6 +59,20 @@ class ModelError(InputError):
         self.rule = rule
         super().__init__(self._sentence())
 
+    @classmethod
+    def of(cls, finding: Finding) -> ModelError:
+        """A finding as an error, at its first place."""
+        place = finding.place
+        return cls(
+            finding.message,
+            fix=finding.fix,
+            file=place.file or None,
+            line=place.line or None,
+            element=place.element or (finding.subject if finding.subject != "file" else None),
+            value=finding.value,
+            rule=finding.rule,
+        )
+
     @property
     def finding(self) -> Finding:
         """The same as a finding, for reports that list several."""

@@ -102,11 +102,11 @@ def test_gravity_is_turned_into_the_base_asked_for(tmp_path):
     )
 
 
-def test_it_is_the_arm_that_the_strict_reader_gives():
+def test_it_is_the_arm_that_load_gives():
     file = ROBOTS / "xarm_description/urdf/xarm7.urdf"
-    ours, strict = arm_of(file), ur5check.load(file)
-    np.testing.assert_array_equal(ours.parameters(), strict.parameters())
-    np.testing.assert_array_equal(ours.base.matrix(), strict.base.matrix())
+    ours, loaded = arm_of(file), ur5check.load(file)
+    np.testing.assert_array_equal(ours.parameters(), loaded.parameters())
+    np.testing.assert_array_equal(ours.base.matrix(), loaded.base.matrix())
 
 
 def test_pinocchio_holds_a_finger_where_the_arm_has_it(tmp_path):

@@ -7,7 +7,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from .._errors import UsageError
+from .._errors import ModelError, UsageError
 from .._io.formats import format_by_suffix
 from .options import add_output_options, name_value_pairs, progress
 from .output import check_output, emit
@@ -88,9 +88,12 @@ def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[s
     from .._engines.registry import READERS
     from .._io.meshes.mesh_paths import with_mesh_paths
     from .._io.package_search import known_packages
-    from .._io.urdf.urdf_checks import check_urdf
+    from .._io.urdf.urdf_reader import read_robot_of_urdf
 
-    check_urdf(text.encode(), args.file)
+    _, findings = read_robot_of_urdf(text.encode(), file=args.file)
+    for finding in findings:
+        if finding.severity == "error":
+            raise ModelError.of(finding)
     text, repaired = repaired_text(text, args.reader)
     for known_issue in repaired:
         progress(
@@ -104,7 +107,7 @@ def _rewritten(text: str, args: argparse.Namespace, path: Path, packages: dict[s
 
 
 def _urdf(path: Path, name: str, arguments: dict[str, str]) -> str:
-    from .._io.xml.safe_xml import checked_xml
+    from .._io.xml.xml_tree import checked_xml
 
     if arguments:
         raise UsageError(f"--arg has no meaning for {name}: it is a URDF, not a xacro")

@@ -50,7 +50,13 @@ class Description(Protocol):
         """A link's own inertia, in the link's frame; None where the file gives none."""
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
+        self,
+        tag: Literal["link", "joint"],
+        name: str,
+        part: str,
+        problem: str,
+        fix: str,
+        rule: str = "XML100",
     ) -> NoReturn:
         """Raise ModelError at a link or joint; part : " inertial/mass", or ""."""
 
@@ -65,13 +71,18 @@ class Assembly:
     notes: tuple[str, ...]
 
 
-def assemble(description: Description, chain: Chain) -> Assembly:
-    """The arm along `chain`.  Raises ModelError for a joint or a link that no arm can have."""
+def assemble(description: Description, chain: Chain, *, strict: bool = True) -> Assembly:
+    """The arm along `chain`.
+
+    strict : refuse a moving tip without mass, and a moving mass without a tensor
+
+    Raises ModelError for a joint or a link that no arm can have.
+    """
     joints = tuple(description.joint(edge) for edge in chain.moving)
     base, link_tip_frames = _brackets(description, chain)
     notes = list(chain.notes)
     links = tuple(
-        _moving_link(description, edge, link_tip_frame, chain, notes)
+        _moving_link(description, edge, link_tip_frame, chain, notes, strict)
         for edge, link_tip_frame in zip(chain.moving, link_tip_frames, strict=True)
     )
     return Assembly(base, joints, links, tuple(notes))
@@ -104,7 +115,12 @@ def rigid_poses(
 
 
 def _moving_link(
-    description: Description, edge: Edge, link_tip_frame: Transform, chain: Chain, notes: list[str]
+    description: Description,
+    edge: Edge,
+    link_tip_frame: Transform,
+    chain: Chain,
+    notes: list[str],
+    strict: bool,
 ) -> Link:
     """The link that `edge` moves with all that moves with it, in the frame at its tip frame."""
     name = edge.child
@@ -116,22 +132,23 @@ def _moving_link(
         own = description.inertia(member)
         if own is not None:
             parts.append(own.expressed_in(pose))
-            has_extent = has_extent or bool(own.tensor.any())
+            has_extent = has_extent or own.judged().has_tensor
             if member != name and own.mass > 0.0:
                 welded.append((member, parts[-1]))
     held = [other.joint for other in edges if other.moves]
     if not parts:
         problem = "moves, but neither it nor anything fixed to it has an <inertial>"
         fix = "give it one, or choose base= and tip= so that it is no part of the arm"
-        description.fail("link", name, "", problem, fix)
+        description.fail("link", name, "", problem, fix, "INE104")
     total = reduce(add, parts)
-    if total.mass == 0.0 and edge is chain.moving[-1]:
+    if strict and total.mass == 0.0 and edge is chain.moving[-1]:
         problem = "mass zero on a moving tip: no torque would move it, so its motion is free"
         fix = "give it a mass, or choose a tip= before it"
-        description.fail("link", name, " inertial/mass", problem, fix)
-    if total.mass > 0.0 and not has_extent:
+        description.fail("link", name, " inertial/mass", problem, fix, "INE105")
+    if strict and total.mass > 0.0 and not has_extent:
         problem = "moves, but its inertia tensor is zero: not positive definite"
-        description.fail("link", name, " inertial/inertia", problem, "give the tensor of its mass")
+        fix = "give the tensor of its mass"
+        description.fail("link", name, " inertial/inertia", problem, fix, "INE106")
     if total.mass == 0.0:
         notes.append(f"moving link {name!r} has mass zero")
     if welded:

@@ -11,7 +11,7 @@ from .._errors import ModelError, UsageError
 from .._files import read_regular
 from .._robot import SerialArm
 from .._robot.as_arm import ArmSource
-from .formats import FORMATS, SUFFIXES, format_by_suffix
+from .formats import FORMATS, SUFFIXES, format_by_suffix, format_of_text
 from .model_format import ModelFile, ModelFormat
 from .shipped_models import SHIPPED_MODELS
 from .suggestions import did_you_mean
@@ -26,18 +26,24 @@ def load(
     tip: str | None = None,
     packages: Mapping[str, str | Path] | None = None,
     arguments: Mapping[str, str] | None = None,
+    strict: bool = True,
 ) -> SerialArm:
     """The arm that `x` stands for.
 
     x : the name of a shipped model, the path of a .urdf, .xacro, MJCF .xml, .sdf or DH .toml file,
         a `pin.Model`, or a `SerialArm`, which comes back as it is
     base, tip : links (bodies or sites of an MJCF, frames of a pin.Model) between which the arm is
-        taken
+        taken; of a URDF or xacro by default the root, and the end of the chain that is clearly
+        the arm
     packages : ROS package names and their folders, for `$(find …)` in a xacro
     arguments : values for the `xacro:arg`s of a xacro
+    strict : False takes a URDF or xacro also where a body or a joint of the arm cannot exist (a
+        tensor that no body has, limits that are swapped), as long as every number can be read;
+        `source.faults` then lists these findings
 
-    Raises ModelError for what is wrong in a file, UsageError for a name that means nothing and for
-    an option that means nothing for this kind of `x`.
+    Raises ModelError for the first fault of a file that concerns the arm (`judge` finds all faults
+    of the whole robot), UsageError for a name that means nothing and for an option that means
+    nothing for this kind of `x`.
     """
     for name, value in (("base", base), ("tip", tip)):
         if value is not None:
@@ -60,43 +66,23 @@ def load(
         )
     entry = SHIPPED_MODELS.get(x) if isinstance(x, str) else None
     if entry is None:
-        path = Path(x)
-        form, label = _format_of(path), str(path)
+        path, label = Path(x), str(Path(x))
+        form = _format_of(path)
     else:
         # The errors and reports of a shipped model say the same on every machine.
-        path, form, label = entry.path(), FORMATS[entry.kind], f"{entry.home}/{entry.file}"
+        path, label = entry.path(), f"{entry.home}/{entry.file}"
+        form = FORMATS[entry.kind]
         base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
     data = _bytes(path, label)
-    arm = _read(ModelFile(path, label, data, base, tip, packages, arguments), form)
+    form = format_of_text(form, path, data, label)
+    arm = _read(ModelFile(path, label, data, base, tip, packages, arguments, strict), form)
     return arm if entry is None else replace(arm, name=entry.name)
 
 
 def _read(file: ModelFile, form: ModelFormat) -> SerialArm:
-    if file.path.suffix.lower() == ".xml":
-        form = _format_by_root(file)
     given = {"base": file.base, "tip": file.tip, "arguments": file.arguments}
     _refuse(form.noun, **{key: given[key] for key in given if key not in form.options})
     return form.read(file)
-
-
-def _format_by_root(file: ModelFile) -> ModelFormat:
-    """Both MuJoCo's models and some URDFs are called .xml; the root element decides."""
-    from lxml import etree
-
-    from .xml.safe_xml import checked_root
-
-    root = checked_root(file.data, file.label)
-    known = {form.xml_root: form for form in FORMATS.values() if form.xml_root}
-    if root.tag not in known:
-        raise ModelError(
-            "the root element is neither MJCF's nor a URDF's",
-            fix="a .xml file is <mujoco> or <robot>; an SDF is called .sdf",
-            file=file.label,
-            line=root.sourceline,
-            element=f"<{etree.QName(root).localname}>",
-            rule="XML102",
-        )
-    return known[root.tag]
 
 
 def _refuse(what: str, **options: object) -> None:

@@ -21,6 +21,7 @@ class ModelFile:
     path, data : where it is and its bytes;  label : what errors and reports call it
     base, tip : links between which the arm is taken, None for the format's default
     packages : ROS package names and their folders;  arguments : of a xacro
+    strict : whether bodies that cannot exist are refused
     """
 
     path: Path
@@ -30,6 +31,7 @@ class ModelFile:
     tip: str | None = None
     packages: Mapping[str, str | Path] | None = None
     arguments: Mapping[str, str] | None = None
+    strict: bool = True
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ import numpy as np
 
 from .._errors import ModelError
 from .._robot import Inertia, Joint, Limits, Link, SerialArm, Source, Transform
+from .._robot.pseudo_inertia import DigitBounds
 from .._robot.transforms import Array
 from .inertia_checks import Place, check_inertia
 from .suggestions import did_you_mean
@@ -144,11 +145,12 @@ def _inertia(model: Any, i: int, *, last: bool) -> Inertia:
     body = model.inertias[i]
     tensor = np.asarray(body.inertia)
     place = Place("pin.Model", f"{_named(model, i)} ")
-    check_inertia(body.mass, tensor, place, rounding=_ROUNDING * np.abs(tensor))
+    digits = DigitBounds.of(_ROUNDING * np.abs(tensor))
+    check_inertia(body.mass, tensor, place, digits=digits)
     if last and body.mass == 0.0:
         problem = "mass zero on a moving tip: no torque would move it, so its motion is free"
         _fail(f"{_named(model, i)} mass", problem, "give the last body a mass", 0.0)
-    return Inertia(body.mass, body.lever, tensor)
+    return Inertia(body.mass, body.lever, tensor, digits)
 
 
 def _link_name(model: Any, i: int) -> str:

@@ -32,21 +32,9 @@ class Printed(float):
         return number
 
     @property
-    def rounding(self) -> float:
-        """Half a unit in the last digit printed: how far the number meant may lie from this one.
-
-        Zeros and whole numbers are exact: an inertia is not rounded to whole kg m².
-        """
-        if not any(mark in self.text for mark in ".eE"):
-            return 0.0
-        number = Decimal(self.text.strip())
-        if number.is_zero():
-            return 0.0
-        exponent = number.as_tuple().exponent
-        if not isinstance(exponent, int):  # nan and inf have a letter here
-            return 0.0
-        last_digit = min(exponent, number.adjusted() - (_LEAST_DIGITS - 1))
-        return float(Decimal(5).scaleb(last_digit - 1))
+    def exact(self) -> bool:
+        """Whether it is zero or whole: an inertia is not rounded to whole kg m²."""
+        return self == 0.0 or not any(mark in self.text for mark in ".eE")
 
 
 def plain_number(text: str) -> Printed:
@@ -80,23 +68,25 @@ def common_rounding(numbers: Mapping[str, float]) -> dict[str, float]:
     """How far each of several numbers that one program printed may lie from the number meant.
 
     A program prints either so many decimals or so many significant digits, and drops zeros at the
-    end.  Of the two, the way that explains the texts with fewer dropped zeros is taken.  Numbers
-    that are exact (`Printed.rounding`), or not `Printed`, get 0.
+    end.  Of the two, the way that explains the texts with fewer dropped zeros is taken; either way
+    the largest is known to two digits at least.  Numbers that are exact, or not `Printed`, get 0.
     """
     inexact = {
         name: Decimal(number.text)
         for name, number in numbers.items()
-        if isinstance(number, Printed) and number.rounding > 0.0
+        if isinstance(number, Printed) and not number.exact
     }
     places = {name: -int(value.as_tuple().exponent) for name, value in inexact.items()}
     digits = {name: len(value.as_tuple().digits) for name, value in inexact.items()}
     most_places = max(places.values(), default=0)
     most_digits = max(_LEAST_DIGITS, *digits.values()) if digits else 0
+    largest = max((value.adjusted() for value in inexact.values()), default=0)
+    last_place = min(-most_places, largest - (_LEAST_DIGITS - 1))
     dropped_places = sum(most_places - n for n in places.values())
     dropped_digits = sum(most_digits - n for n in digits.values())
     rounding = dict.fromkeys(numbers, 0.0)
     for name, value in inexact.items():
         by_digits = value.adjusted() - most_digits + 1
-        last_digit = -most_places if dropped_places <= dropped_digits else by_digits
+        last_digit = last_place if dropped_places <= dropped_digits else by_digits
         rounding[name] = float(Decimal(5).scaleb(last_digit - 1))
     return rounding

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Literal, NoReturn
 
 import numpy as np
@@ -12,13 +13,13 @@ from .._finding import Place
 from .._robot.inertia import Inertia
 from .._robot.robot import Robot, RobotJoint
 from .._robot.serial_arm import Joint, SerialArm, Source
-from .._robot.transforms import Array, Transform
+from .._robot.transforms import Transform
 from .arm_choice import choose_arm
 from .chain_assembly import assemble
 from .suggestions import did_you_mean
-from .urdf.urdf_chain import Edge, Tree
+from .urdf.urdf_chain import Chain, Edge, Tree
 
-__all__ = ["arm_of_robot"]
+__all__ = ["RobotDescription", "arm_along", "arm_of_robot"]
 
 
 def arm_of_robot(
@@ -38,28 +39,19 @@ def arm_of_robot(
     Raises ModelError where the chain holds a joint or a link that no arm can have, or where several
     chains could be meant; UsageError for a joint in `hold` that is not there or is the arm's own.
     """
-    if not robot.roots:
-        raise ModelError("has no link", fix="an arm needs joints and links", file=robot.file)
-    description = _Description(robot, dict(hold or {}))
-    for name in (base, tip):
-        if name is not None and name not in robot.link:
-            description.lost(name)
-    notes: tuple[str, ...] = ()
-    if tip is None:
-        choice = choose_arm(robot, base)
-        if choice.tip is None:
-            description.several(choice.chains)
-        tip = choice.tip
-        rigid = [name for name in robot.rigid(tip) if not robot.below[name]]
-        if len(rigid) == 1 and not choice.fingers:
-            tip = rigid[0]
-        elif len(rigid) > 1:
-            notes = (f"tip is {tip!r}, the last moving link: {len(rigid)} links end there",)
-        if choice.fingers:
-            shown = ", ".join(map(repr, choice.fingers[:6])) + (", …" if choice.fingers[6:] else "")
-            notes += (f"the arm ends before its gripper ({shown})",)
-    chain = description.tree.chain(base, tip)
-    moving = {edge.joint for edge in chain.moving}
+    description = RobotDescription(robot, hold)
+    return arm_along(description, description.chain(base, tip), urdf)
+
+
+def arm_along(
+    description: RobotDescription, chain: Chain, urdf: str | None, *, strict: bool = True
+) -> SerialArm:
+    """The arm along a chain of a robot.  Raises as `arm_of_robot` does.
+
+    strict : refuse a moving tip without mass, and a moving mass without a tensor
+    """
+    robot = description.robot
+    moving = frozenset(edge.joint for edge in chain.moving)
     for name in description.hold:
         if name not in robot.joint or name in moving:
             beside = [
@@ -67,53 +59,97 @@ def arm_of_robot(
             ]
             what = "belongs to the arm" if name in moving else "is no joint of this robot"
             raise UsageError(f"--hold {name}: it {what}; {did_you_mean(name, beside)}")
-    parts = assemble(description, chain)
+    parts = assemble(description, chain, strict=strict)
     return SerialArm(
         robot.name,
         parts.joints,
         parts.links,
         base=parts.base,
-        gravity=_base_rotation(description, robot, chain.base).T @ robot.gravity,
+        gravity=description.root_to(chain.base).R.T @ robot.gravity,
         source=Source(
             kind=robot.kind,
             inputs=robot.inputs,
             urdf=urdf,
             base=chain.base,
             tip=chain.tip,
-            held=description.held_beside(frozenset(moving)),
-            notes=(*notes, *parts.notes),
+            held=description.held_beside(moving),
+            notes=parts.notes,
         ),
     )
 
 
-def _base_rotation(description: _Description, robot: Robot, base: str) -> Array:
-    """R from the base link's axes to the root's, joints on the way held still."""
-    pose = Transform.identity()
-    for joint in reversed(list(robot.up(base))):
-        edge = Edge(joint.name, joint.kind, joint.parent, joint.child)
-        pose = pose @ description.held_pose(edge, frozenset())
-    return pose.R
+class RobotDescription:
+    """What `assemble` asks of a robot.
 
+    hold : positions of joints that are not the arm's [rad] or [m]; 0 where none is given
 
-class _Description:
-    """What `assemble` asks of a robot."""
+    Raises ModelError for a robot without links.
+    """
 
-    def __init__(self, robot: Robot, hold: dict[str, float]) -> None:
-        self.robot, self.hold = robot, hold
+    def __init__(self, robot: Robot, hold: Mapping[str, float] | None = None) -> None:
+        self.robot, self.hold = robot, dict(hold or {})
+        if not robot.roots:
+            raise ModelError("has no link", fix="an arm needs joints and links", file=robot.file)
         edges = [Edge(j.name, j.kind, j.parent, j.child) for j in robot.joints]
         root = max(robot.roots, key=lambda name: len(list(robot.down(name))))
         links = list(robot.down(root))
         here = set(links)
         self.tree = Tree(links, [e for e in edges if e.parent in here], robot.file)
 
+    def chain(self, base: str | None, tip: str | None) -> Chain:
+        """The chain from `base` (default: the root) to `tip` (default: as `choose_arm` says, then
+        the tool frame fixed there).  Raises ModelError where none or several could be meant."""
+        robot = self.robot
+        for option, name in (("base", base), ("tip", tip)):
+            if name is not None and name not in self.tree.below:
+                fix = did_you_mean(name, self.tree.links)
+                problem = "is no link of this robot"
+                raise ModelError(problem, fix=fix, file=robot.file, element=option, value=name)
+        notes: tuple[str, ...] = ()
+        if tip is None:
+            choice = choose_arm(robot, None if base is None else self._carrier(base))
+            if choice.tip is None:
+                self._several(choice.chains)
+            tip = choice.tip
+            rigid = [name for name in robot.rigid(tip) if not robot.below[name]]
+            if len(rigid) == 1 and not choice.fingers:
+                tip = rigid[0]
+            elif len(rigid) > 1:
+                shown = ", ".join(map(repr, rigid))
+                notes = (
+                    f"tip is {tip!r}, the last moving link: {len(rigid)} links end there ({shown})",
+                )
+            if choice.fingers:
+                shown = ", ".join(map(repr, choice.fingers[:6]))
+                shown += ", …" if choice.fingers[6:] else ""
+                notes += (f"the arm ends before its gripper ({shown})",)
+        return replace(self.tree.chain(base, tip), notes=notes)
+
+    def _carrier(self, link: str) -> str:
+        """The topmost link that a link is fixed to: a base may be a frame beside the arm."""
+        for joint in self.robot.up(link):
+            if joint.moves:
+                break
+            link = joint.parent
+        return link
+
+    def root_to(self, link: str) -> Transform:
+        """The pose of a link in the root, joints on the way held still."""
+        pose = Transform.identity()
+        for joint in reversed(list(self.robot.up(link))):
+            edge = Edge(joint.name, joint.kind, joint.parent, joint.child)
+            pose = pose @ self.held_pose(edge, frozenset())
+        return pose
+
     def joint(self, edge: Edge) -> Joint:
         joint = self.robot.joint[edge.joint]
         if joint.kind in ("planar", "floating", "ball"):
             problem = f"is {joint.kind}: neither revolute nor prismatic"
-            self.fail("joint", joint.name, "", problem, "choose --base and --tip beside it")
+            fix = "choose base and tip so that it lies outside the arm"
+            self.fail("joint", joint.name, "", problem, fix)
         if joint.mimic is not None:
             problem = f"mimics {joint.mimic.joint!r}: it has no coordinate of its own"
-            self.fail("joint", joint.name, "", problem, "choose a --tip before it")
+            self.fail("joint", joint.name, "", problem, "choose a tip before it, or remove <mimic>")
         numbers = [*joint.axis, *joint.origin.p]
         if not np.isfinite(numbers).all():
             self.fail("joint", joint.name, "", "its axis or origin is no number", "correct it")
@@ -173,7 +209,13 @@ class _Description:
         return inertial.inertia
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
+        self,
+        tag: Literal["link", "joint"],
+        name: str,
+        part: str,
+        problem: str,
+        fix: str,
+        rule: str = "XML100",
     ) -> NoReturn:
         place: Place = getattr(self.robot, tag)[name].place
         raise ModelError(
@@ -182,13 +224,10 @@ class _Description:
             file=place.file,
             line=place.line or None,
             element=f"{tag} {name!r}{part}",
+            rule=rule,
         )
 
-    def lost(self, link: str) -> NoReturn:
-        fix = did_you_mean(link, self.robot.link)
-        raise ModelError("is no link of this robot", fix=fix, file=self.robot.file, value=link)
-
-    def several(self, chains: tuple[tuple[str, int], ...]) -> NoReturn:
+    def _several(self, chains: tuple[tuple[str, int], ...]) -> NoReturn:
         if not chains:
             raise ModelError("has no moving joint", fix="an arm needs one", file=self.robot.file)
         listed = ", ".join(f"--tip {tip} ({n} joints)" for tip, n in chains[:6])

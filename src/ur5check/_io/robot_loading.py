@@ -10,11 +10,10 @@ from pathlib import Path
 from .._arguments import text_map
 from .._errors import ModelError, UsageError
 from .._files import read_regular
-from .._finding import Finding, Place
+from .._finding import Finding
 from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
-from .._rules.finding_log import FindingLog, finding_of
-from .formats import format_by_suffix
+from .formats import format_by_suffix, format_of_text
 from .package_search import known_packages
 from .ros_packages import PackageMap
 from .shipped_models import SHIPPED_MODELS
@@ -131,45 +130,25 @@ def load_robot(
     reading = read_robot(model, packages=packages, arguments=arguments)
     errors = [finding for finding in reading.findings if finding.severity == "error"]
     if errors or reading.robot is None:
-        first = errors[0]
-        place = first.places[0] if first.places else Place(reading.file)
-        raise ModelError(
-            first.message,
-            fix=first.fix,
-            file=place.file,
-            line=place.line or None,
-            element=first.subject,
-            value=first.value,
-            rule=first.rule,
-        )
+        raise ModelError.of(errors[0])
     return reading.robot
 
 
 def _read(
     here: _File, arguments: Mapping[str, str], base: str | None, tip: str | None
 ) -> RobotReading:
-    kind = _kind(here)
-    macros = b"xmlns:xacro" in here.data and b"<xacro:" in here.data
-    if kind == "xacro" or (kind == "urdf" and macros):
-        return _xacro(here, arguments)
-    if kind == "urdf":
-        return _urdf(here, here.data, here.label, "urdf", here.inputs)
-    return _one_chain(here, base, tip)
-
-
-def _kind(here: _File) -> str:
-    """The file's format.  A .xml is MJCF or URDF: its root says which."""
-    from .xml.xml_tree import XmlError, parse_xml
-
     form = format_by_suffix(here.path)
     if form is None:
         raise UsageError(f"{here.path} is no kind of file that a robot is read from")
-    if here.path.suffix.lower() != ".xml":
-        return form.kind
     try:
-        return "mjcf" if parse_xml(here.data, here.label).tag == "mujoco" else "urdf"
-    except XmlError:
-        return "urdf"  # whose reader reports it
+        form = format_of_text(form, here.path, here.data, here.label)
+    except ModelError as error:
+        return here.nothing(error.finding)
+    if form.kind == "xacro":
+        return _xacro(here, arguments)
+    if form.kind == "urdf":
+        return _urdf(here, here.data, here.label, "urdf", here.inputs)
+    return _one_chain(here, base, tip)
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,23 +171,15 @@ class _File:
 def _urdf(
     file: _File, data: bytes, label: str, kind: str, inputs: tuple[tuple[str, str], ...]
 ) -> RobotReading:
-    from .urdf.urdf_robot import read_urdf_robot
-    from .xml.xml_tree import XmlError, parse_xml
+    from .urdf.urdf_reader import read_robot_of_urdf
 
-    try:
-        root = parse_xml(data, label)
-    except XmlError as error:
-        place = Place(label, error.line, error.column)
-        return file.nothing(finding_of("XML101", "file", error.problem, place))
-    if root.tag != "robot":
-        problem = f"the root element is <{root.tag}>, not <robot>"
-        return file.nothing(finding_of("XML102", "file", problem, root.place(), value=root.tag))
-    log = FindingLog()
-    robot = read_urdf_robot(root, log, kind=kind, inputs=inputs)
+    robot, findings = read_robot_of_urdf(data, file=label, kind=kind, inputs=inputs)
+    if robot is None:
+        return file.nothing(*findings)
     return RobotReading(
         label,
         robot,
-        tuple(log.findings),
+        findings,
         file.packages,
         file.path.parent,
         inputs,

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from .._arguments import number
 from .._errors import ModelError
+from .pseudo_inertia import EXACT, BodyTest, DigitBounds, judge_body
 from .transforms import Array, Transform, frozen, skew
 
 __all__ = ["PARAMETERS", "Inertia", "parameter_map"]
@@ -25,7 +26,7 @@ class Inertia:
     """Inertia of a rigid body, expressed in one frame.
 
     Finite numbers with a symmetric tensor are accepted even if no body can have them; see
-    `principal_moments` and `triangle_margin`.
+    `principal_moments`, `triangle_margin` and `judged`.
 
     Parameters
     ----------
@@ -35,6 +36,8 @@ class Inertia:
         Centre of mass in the frame [m].
     tensor : array-like, shape (3, 3)
         Inertia about the centre of mass, along the axes of the frame [kg m²].
+    digits : DigitBounds
+        How far the printed digits of the tensor may have moved its principal moments.
 
     Raises
     ------
@@ -52,6 +55,7 @@ class Inertia:
     mass: float
     com: Array
     tensor: Array
+    digits: DigitBounds = EXACT
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "mass", float(frozen(self.mass, (), "mass")))
@@ -124,7 +128,8 @@ class Inertia:
 
     def expressed_in(self, T_ab: Transform) -> Inertia:
         """The same body's inertia in frame a, where this one is in frame b."""
-        return Inertia(self.mass, T_ab.R @ self.com + T_ab.p, T_ab.R @ self.tensor @ T_ab.R.T)
+        tensor = T_ab.R @ self.tensor @ T_ab.R.T
+        return Inertia(self.mass, T_ab.R @ self.com + T_ab.p, tensor, self.digits)
 
     def __add__(self, other: Inertia) -> Inertia:
         """The inertia of two bodies fixed to each other, both expressed in the same frame."""
@@ -136,11 +141,15 @@ class Inertia:
         for part in (self, other):
             lever = skew(part.com - com)
             tensor += part.tensor - part.mass * lever @ lever
-        return Inertia(mass, com, tensor)
+        return Inertia(mass, com, tensor, self.digits + other.digits)
 
     def principal_moments(self) -> Array:
         """Eigenvalues of the tensor, ascending, shape (3,) [kg m²]."""
         return np.asarray(np.linalg.eigvalsh(self.tensor), dtype=np.float64)
+
+    def judged(self) -> BodyTest:
+        """Whether a body can have this inertia, within its printed digits."""
+        return judge_body(self.mass, self.tensor, self.digits)
 
     def triangle_margin(self) -> float:
         """Smallest of I_a + I_b − I_c over the principal moments [kg m²].

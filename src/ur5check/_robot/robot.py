@@ -16,6 +16,7 @@ import numpy as np
 
 from .._finding import Place
 from .inertia import Inertia
+from .pseudo_inertia import BodyTest, DigitBounds, judge_body
 from .serial_arm import Limits
 from .transforms import Array, Transform
 
@@ -68,10 +69,16 @@ class Inertial:
         )
 
     @cached_property
-    def tensor_rounding(self) -> Array:
-        """How far each entry of the tensor may be off by its printed digits, (3, 3) [kg m²]."""
+    def digits(self) -> DigitBounds:
+        """What the printed digits of the entries leave open."""
         names = (("ixx", "ixy", "ixz"), ("ixy", "iyy", "iyz"), ("ixz", "iyz", "izz"))
-        return np.array([[self.rounding.get(name, 0.0) for name in row] for row in names])
+        H = np.array([[self.rounding.get(name, 0.0) for name in row] for row in names])
+        return DigitBounds.of(H)
+
+    @cached_property
+    def judged(self) -> BodyTest:
+        """Whether a body can have it.  Only of a `readable` one."""
+        return judge_body(self.mass, self.own_tensor, self.digits)
 
     @cached_property
     def readable(self) -> bool:
@@ -82,7 +89,7 @@ class Inertial:
     @cached_property
     def inertia(self) -> Inertia:
         """In the link's frame.  Only of a `readable` one."""
-        own = Inertia(self.mass, np.zeros(3), self.own_tensor)
+        own = Inertia(self.mass, np.zeros(3), self.own_tensor, self.digits)
         return own.expressed_in(Transform.from_rpy(self.xyz.tolist(), self.rpy.tolist()))
 
     def place(self, part: str) -> Place:

@@ -22,6 +22,7 @@ import numpy as np
 
 from .._arguments import choice, instance
 from .._errors import ModelError, UsageError
+from .._finding import Finding
 from .inertia import Inertia
 from .transforms import Array, Transform, frozen
 
@@ -171,7 +172,9 @@ class Source:
     urdf : the URDF text, after xacro expansion, for reference engines with a parser of their own
     model : the `pin.Model`, where the arm was made from one
     base, tip : names of the links (or frames) at the ends of the chain
+    held : joints beside the arm that do not stand at zero, and where they are held [rad] or [m]
     notes : remarks of the reader for reports ("merged fixed link 'tool0' …")
+    faults : errors of the file about this arm that `load(…, strict=False)` passed over
     """
 
     kind: str = "value"
@@ -182,10 +185,11 @@ class Source:
     tip: str = "tool"
     held: tuple[tuple[str, float], ...] = ()
     notes: tuple[str, ...] = ()
+    faults: tuple[Finding, ...] = ()
 
     def as_value(self) -> Source:
-        """The same source without its text or model, for an arm whose numbers were changed."""
-        return replace(self, urdf=None, model=None)
+        """The same source without its text, model and faults, for an arm with other numbers."""
+        return replace(self, urdf=None, model=None, faults=())
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,14 +14,12 @@ import numpy as np
 
 from .._finding import Severity
 from .._robot.inertia import Inertia
-from .._robot.pseudo_inertia import judge_tensor
 from .._robot.robot import Inertial, RobotLink
 from .._robot.transforms import Array
 from .rule_subject import RuleSubject
 
 __all__ = [
     "axis_text",
-    "has_tensor",
     "is_sound",
     "largest_spread",
     "metres",
@@ -30,9 +28,6 @@ __all__ = [
     "subject_of",
 ]
 
-#: Least radius of gyration that a link's tensor is taken to mean [m].
-_LEAST_GYRATION = 1e-6
-
 
 def spreads(inertia: Inertia, directions: Array) -> Array:
     """σ² along each row of `directions`, shape (k,) [m²]; negative where I is no body's."""
@@ -40,22 +35,10 @@ def spreads(inertia: Inertia, directions: Array) -> Array:
     return np.asarray(np.einsum("ki,ij,kj->k", directions, sigma, directions) / inertia.mass)
 
 
-def has_tensor(inertial: Inertial) -> bool:
-    """Whether the tensor says anything of the body.
-
-    Zeros do not, nor do numbers that stand for zeros: √(largest entry / mass) below 1 µm, less than
-    any part is wide.  Exporters write 1e-20 where nothing was computed.
-    """
-    largest = float(np.abs(inertial.own_tensor).max())
-    return largest > 0.0 and largest >= abs(inertial.mass) * _LEAST_GYRATION**2
-
-
 def is_sound(inertial: Inertial) -> bool:
     """Whether the size rules have something to say: a mass, and a tensor that some body has."""
-    if inertial.mass <= 0.0 or not has_tensor(inertial):
-        return False
-    judged = judge_tensor(inertial.own_tensor, inertial.tensor_rounding)
-    return judged.positive and judged.triangle
+    judged = inertial.judged
+    return inertial.mass > 0.0 and judged.has_tensor and judged.fault is None
 
 
 def largest_spread(inertia: Inertia) -> tuple[float, Array]:

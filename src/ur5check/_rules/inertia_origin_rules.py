@@ -12,7 +12,7 @@ from .._robot.transforms import Array
 from .body_extent import Extent
 from .examples import joint, link, robot
 from .finding_log import finding_of
-from .inertia_measures import has_tensor, is_sound, largest_spread, metres, subject_of
+from .inertia_measures import is_sound, largest_spread, metres, subject_of
 from .rule import Rule
 from .rule_subject import RuleSubject
 
@@ -29,7 +29,7 @@ _SMALLEST_WAY = 0.1
 
 def _placeholder(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
-        if not has_tensor(inertial) or inertial.mass <= 0.0:
+        if not inertial.judged.has_tensor or inertial.mass <= 0.0:
             continue
         e = inertial.entries
         diagonal = {e["ixx"], e["iyy"], e["izz"]}

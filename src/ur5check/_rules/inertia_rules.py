@@ -7,12 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._finding import Finding, Severity
-from .._robot.pseudo_inertia import judge_tensor
 from .._robot.robot import Inertial, RobotLink
 from .._robot.transforms import Array
 from .examples import joint, link, robot
 from .finding_log import finding_of
-from .inertia_measures import has_tensor, subject_of
+from .inertia_measures import subject_of
 from .rule import Rule
 from .rule_subject import RuleSubject
 
@@ -25,13 +24,13 @@ _DUMMY = 1e-6
 def _mass(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
         m = inertial.mass
-        if m < 0.0 or (m == 0.0 and has_tensor(inertial)):
+        if not inertial.judged.mass_possible:
             problem = (
                 f"mass is negative, {m:.4g} kg"
                 if m < 0.0
                 else "mass is zero although the inertia tensor is not"
             )
-            dummy = m == 0.0 and float(np.abs(inertial.own_tensor).max()) <= _DUMMY
+            dummy = m == 0.0 and inertial.judged.largest <= _DUMMY
             yield finding_of(
                 "INE101", subject_of(body), problem, inertial.place("mass"), value=m, bound=0.0,
                 unit="kg", severity="warning" if dummy else None,
@@ -40,10 +39,8 @@ def _mass(s: RuleSubject) -> Iterator[Finding]:
 
 def _positive(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
-        if not has_tensor(inertial):
-            continue
-        judged = judge_tensor(inertial.own_tensor, inertial.tensor_rounding)
-        if not judged.positive:
+        judged = inertial.judged
+        if judged.has_tensor and not judged.positive:
             yield finding_of(
                 "INE102",
                 subject_of(body),
@@ -59,8 +56,8 @@ def _positive(s: RuleSubject) -> Iterator[Finding]:
 
 def _triangle(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
-        judged = judge_tensor(inertial.own_tensor, inertial.tensor_rounding)
-        if has_tensor(inertial) and judged.positive and not judged.triangle:
+        judged = inertial.judged
+        if judged.has_tensor and judged.positive and not judged.triangle:
             over = -judged.margin / float(judged.moments[2])
             yield finding_of(
                 "INE103",
@@ -76,7 +73,7 @@ def _triangle(s: RuleSubject) -> Iterator[Finding]:
 
 def _graver_if_heavy(inertial: Inertial) -> Severity | None:
     """A dummy's numbers are wrong, but no torque shows it: a warning."""
-    light = abs(inertial.mass) <= 1e-3 and float(np.abs(inertial.own_tensor).max()) <= _DUMMY
+    light = abs(inertial.mass) <= 1e-3 and inertial.judged.largest <= _DUMMY
     return "warning" if light else None
 
 
@@ -142,7 +139,7 @@ def _point_mass(s: RuleSubject) -> Iterator[Finding]:
     for body, group in _moving_groups(s):
         members = [(name, s.robot.link[name].inertial) for name in group]
         heavy = [(n, i) for n, i in members if i is not None and i.readable and i.mass > 0.0]
-        if heavy and not any(has_tensor(i) for _, i in heavy):
+        if heavy and not any(i.judged.has_tensor for _, i in heavy):
             mass = sum(i.mass for _, i in heavy)
             largest = max(float(np.abs(i.own_tensor).max()) for _, i in heavy)
             yield finding_of(

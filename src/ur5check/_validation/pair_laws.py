@@ -9,6 +9,7 @@ import numpy as np
 from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from .._comparison.difference import Difference
 from .._engines.engine import Engine
+from .._robot.pseudo_inertia import Fault
 from .._robot.transforms import Array
 from .law import Check, Measurement, Tolerance
 from .law_subject import Subject
@@ -29,31 +30,40 @@ class PairSubject:
 
 
 def _bodies(s: Subject) -> Measurement:
-    """How far each link is from a body of positive density, as a part of its largest moment."""
+    """How far each link is from a body of positive density beyond what printed digits allow, as a
+    part of its largest moment; 0 for a body that could exist."""
     values, details = [], []
     for link in s.arm.links:
-        moments = link.inertia.principal_moments()
-        largest = float(np.abs(moments).max()) or 1.0
-        faults = {
-            "the mass is negative": -link.inertia.mass,
-            "a principal moment is negative": -float(moments[0]) / largest,
-            "a principal moment exceeds the sum of the others": (
-                -link.inertia.triangle_margin() / largest
-            ),
-        }
-        fault, worst = max(faults.items(), key=lambda item: item[1])
-        values.append(worst)
-        verdict = fault if worst > _PRINTED.factor else "a body that could exist"
+        body = link.inertia.judged()
+        beyond = {
+            None: 0.0,
+            "mass-negative": -body.mass,
+            "mass-zero": 1.0,
+            "not-positive-definite": -float(body.moments[0]) - body.moment_tolerance,
+            "triangle-inequality": -body.margin - body.margin_tolerance,
+        }[body.fault]
+        of_tensor = body.fault in ("not-positive-definite", "triangle-inequality")
+        values.append(beyond / body.largest if of_tensor else beyond)
+        if body.fault is not None:  # also where all three moments are zero within their digits
+            values[-1] = max(values[-1], float(np.finfo(np.float64).eps))
+        verdict = "a body that could exist" if body.fault is None else _FAULTS[body.fault]
         details.append(
             f"{link.name}: {verdict} (principal moments "
-            f"{', '.join(f'{moment:.4g}' for moment in moments)} kg m²)"
+            f"{', '.join(f'{moment:.4g}' for moment in body.moments)} kg m²)"
         )
     return Measurement(np.array(values), 1.0, tuple(details), per_state=False)
 
 
+_FAULTS: dict[Fault, str] = {
+    "mass-negative": "the mass is negative",
+    "mass-zero": "the mass is zero although the inertia is not",
+    "not-positive-definite": "a principal moment is negative",
+    "triangle-inequality": "a principal moment exceeds the sum of the others",
+}
+
 _PRINTED = Tolerance(
-    1e-4,
-    "a thin plate meets the triangle inequality with equality, and sources print four digits",
+    0.0,
+    "what the printed digits allow is taken off before, as in rules INE101 to INE103",
     per_joint=False,
 )
 

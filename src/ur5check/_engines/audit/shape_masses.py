@@ -6,60 +6,48 @@ an engine makes of one depends on the mesh's file, and is named without its numb
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import reduce
 from operator import add
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..._robot.inertia import Inertia
-from ..._robot.transforms import Array, Transform
-
-if TYPE_CHECKING:
-    from lxml.etree import _Element
+from ..._robot.robot import ShapeRef
+from ..._robot.transforms import Array
 
 __all__ = ["DENSITY", "inertia_of_shapes"]
 
 DENSITY = 1000.0  # [kg/m³]
 
 
-def inertia_of_shapes(link: _Element) -> Inertia | None:
+def inertia_of_shapes(shapes: Iterable[ShapeRef]) -> Inertia | None:
     """The inertia of a link's collision shapes, in the link's frame; None without a shape of known
     volume."""
-    bodies = [_body(shape) for shape in link.iterchildren("collision")]
+    bodies = [_body(shape) for shape in shapes if shape.kind == "collision"]
     known = [body for body in bodies if body is not None]
     return reduce(add, known) if known else None
 
 
-def _body(collision: _Element) -> Inertia | None:
-    solid = _solid(collision)
+def _body(shape: ShapeRef) -> Inertia | None:
+    solid = _solid(shape)
     if solid is None:
         return None
     volume, moments = solid
     mass = DENSITY * volume
-    origin = collision.find("origin")
-    given = {} if origin is None else origin.attrib
-    pose = Transform.from_rpy(_numbers(given.get("xyz")), list(_numbers(given.get("rpy"))))
-    return Inertia(mass, np.zeros(3), np.diag(mass * moments)).expressed_in(pose)
+    return Inertia(mass, np.zeros(3), np.diag(mass * moments)).expressed_in(shape.pose)
 
 
-def _solid(collision: _Element) -> tuple[float, Array] | None:
+def _solid(shape: ShapeRef) -> tuple[float, Array] | None:
     """Volume [m³] and moments of inertia for a mass of one, shape (3,) [m²]."""
-    box = collision.find("geometry/box")
-    if box is not None:
-        a, b, c = _numbers(box.get("size"))
-        return float(a * b * c), np.array([b * b + c * c, a * a + c * c, a * a + b * b]) / 12.0
-    sphere = collision.find("geometry/sphere")
-    if sphere is not None:
-        r = float(sphere.get("radius", "0"))
+    if shape.geometry == "box":
+        a, b, c = shape.size
+        return a * b * c, np.array([b * b + c * c, a * a + c * c, a * a + b * b]) / 12.0
+    if shape.geometry == "sphere":
+        (r,) = shape.size
         return 4.0 / 3.0 * np.pi * r**3, np.full(3, 0.4 * r * r)
-    cylinder = collision.find("geometry/cylinder")
-    if cylinder is not None:
-        r, length = float(cylinder.get("radius", "0")), float(cylinder.get("length", "0"))
+    if shape.geometry == "cylinder":
+        r, length = shape.size
         across = (3.0 * r * r + length * length) / 12.0
         return np.pi * r * r * length, np.array([across, across, r * r / 2.0])
     return None
-
-
-def _numbers(text: str | None) -> Array:
-    return np.array([float(word) for word in (text or "0 0 0").split()])

@@ -9,19 +9,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..._robot.inertia import Inertia
+from ..._robot.robot import RobotLink
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
 from .audit_tolerances import tensor_rounding
 from .import_difference import Kind
 from .shape_masses import inertia_of_shapes
-
-if TYPE_CHECKING:
-    from lxml.etree import _Element
 
 __all__ = ["Misreading", "WrittenArm", "WrittenBody", "written_arm"]
 
@@ -72,23 +69,21 @@ def written_arm(arm: SerialArm) -> WrittenArm:
     """The arm's source, link by link."""
     if arm.source.urdf is None:
         return _of_values(arm)
-    from ..._io.urdf.urdf_checks import check_urdf
-    from ..._io.urdf.urdf_values import Robot
+    from ..._io.urdf.urdf_reader import description_of_arm
 
-    root = check_urdf(arm.source.urdf.encode(), arm.name)
-    robot = Robot(root, arm.name)
-    nodes = {str(node.get("name")): node for node in root.iterchildren("link")}
-    chain = robot.tree.chain(arm.source.base, arm.source.tip)
+    description, _ = description_of_arm(arm, arm.name)
+    links = description.robot.link
+    chain = description.tree.chain(arm.source.base, arm.source.tip)
     moving = frozenset(edge.joint for edge in chain.moving)
     bodies = []
     for i, edge in enumerate(chain.moving):
         poses = {edge.child: arm.links[i].link_tip_frame.inverse()}
         above: dict[str, tuple[str, ...]] = {edge.child: ()}
-        for step in robot.tree.rigid_group(edge.child, chain):
-            poses[step.child] = poses[step.parent] @ robot.held_pose(step, moving)
+        for step in description.tree.rigid_group(edge.child, chain):
+            poses[step.child] = poses[step.parent] @ description.held_pose(step, moving)
             above[step.child] = (step.parent, *above[step.parent])
         for name, pose in poses.items():
-            inertia, node = robot.inertia(name), nodes[name]
+            inertia, link = description.inertia(name), links[name]
             bodies.append(
                 WrittenBody(
                     name,
@@ -96,13 +91,16 @@ def written_arm(arm: SerialArm) -> WrittenArm:
                     above[name],
                     np.zeros(10) if inertia is None else inertia.expressed_in(pose).parameters(),
                     inertia is not None,
-                    node.find("collision") is not None or node.find("visual") is not None,
-                    tuple(_misreadings(inertia, node, pose)),
+                    bool(link.shapes),
+                    tuple(_misreadings(inertia, link, pose)),
                 )
             )
     carried = {body.name for body in bodies}
-    inertias = {name: robot.inertia(name) for name in nodes if name not in carried}
-    on_base = tuple(name for name, inertia in inertias.items() if inertia and inertia.mass > 0.0)
+    on_base = tuple(
+        name
+        for name, link in links.items()
+        if name not in carried and link.inertial is not None and link.inertial.mass > 0.0
+    )
     return WrittenArm(tuple(bodies), on_base)
 
 
@@ -117,27 +115,21 @@ def _of_values(arm: SerialArm) -> WrittenArm:
     )
 
 
-def _misreadings(written: Inertia | None, node: _Element, pose: Transform) -> list[Misreading]:
+def _misreadings(written: Inertia | None, link: RobotLink, pose: Transform) -> list[Misreading]:
     if written is None:
         unit = UNIT_BODY.expressed_in(pose).parameters()
         found = [Misreading("default-inertia", unit, "1 kg and a unit tensor")]
-        solid = inertia_of_shapes(node)
+        solid = inertia_of_shapes(link.shapes)
         if solid is not None:
             parameters = solid.expressed_in(pose).parameters()
             imported = f"{solid.mass:.4g} kg, its shape at the density of water"
             found.append(Misreading("shape-mass", parameters, imported))
         return found
     found = [Misreading("body-lost", np.zeros(10), "nothing")]
-    R = _written_rotation(node)
+    rpy = np.zeros(3) if link.inertial is None else link.inertial.rpy
+    R = Transform.from_rpy(np.zeros(3), rpy.tolist()).R
     unrotated = Inertia(written.mass, written.com, R.T @ written.tensor @ R)
     if np.abs(unrotated.tensor - written.tensor).max() > tensor_rounding(written.tensor):
         parameters = unrotated.expressed_in(pose).parameters()
         found.insert(0, Misreading("rotation-dropped", parameters, "the tensor not rotated"))
     return found
-
-
-def _written_rotation(node: _Element) -> Array:
-    """R of `<inertial><origin rpy>`: the strict reading has checked its three numbers."""
-    origin = node.find("inertial/origin")
-    rpy = "0 0 0" if origin is None else origin.get("rpy", "0 0 0")
-    return Transform.from_rpy(np.zeros(3), [float(angle) for angle in rpy.split()]).R

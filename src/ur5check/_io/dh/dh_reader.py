@@ -196,13 +196,13 @@ def _inertia(table: Table, *, last: bool) -> Inertia:
     numbers = {
         key: entries.number(key) if key in entries.values else 0.0 for key in _MOMENTS + _PRODUCTS
     }
-    tensor, rounding = printed_tensor(numbers)
+    tensor, digits = printed_tensor(numbers)
     place = Place(table.file, f"{table.name} ", table.line("mass"), table.line("inertia"))
-    check_inertia(mass, tensor, place, rounding=rounding)
+    check_inertia(mass, tensor, place, digits=digits)
     if last and mass == 0.0:
         problem = "mass zero on a moving tip: no torque would move it, so its motion is free"
         table.fail("mass", problem, "give the last link a mass", 0.0)
-    return Inertia(mass, np.array(com), tensor)
+    return Inertia(mass, np.array(com), tensor, digits)
 
 
 def _limits(table: Table) -> Limits:

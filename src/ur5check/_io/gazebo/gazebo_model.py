@@ -17,20 +17,17 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass
-from functools import reduce
-from operator import matmul
 from pathlib import Path
 
 from lxml import etree
 
 from ..._engines.known_issues import known_issues_of
 from ..._errors import ModelError
-from ..._robot import SerialArm, Transform
+from ..._robot import SerialArm
 from ..._robot.transforms import Array
 from ..ros_packages import PackageMap
-from ..urdf.urdf_chain import Chain
-from ..urdf.urdf_checks import check_urdf
-from ..urdf.urdf_values import Robot
+from ..urdf.urdf_reader import description_of_arm
+from ..xml.safe_xml import parsed_xml
 from ..xml.xml_numbers import Element
 from .package_meshes import take_meshes
 from .urdf_edits import (
@@ -66,18 +63,18 @@ def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: st
     Raises ModelError for a moving link without mass.
     """
     assert arm.source.urdf is not None  # noqa: S101 - the caller's duty, not the user's
-    root = check_urdf(arm.source.urdf.encode("utf-8"), file)
-    robot = Robot(root, file)
-    chain = robot.tree.chain(arm.source.base, arm.source.tip)
+    root = parsed_xml(arm.source.urdf)
+    description, _ = description_of_arm(arm, file)
+    chain = description.chain(arm.source.base, arm.source.tip)
     _refuse_massless(arm, file)
-    notes = [*leave_out_control(root), *hold_still(root, robot, chain)]
+    notes = [*leave_out_control(root), *hold_still(root, description, chain)]
     for known_issue in known_issues_of("gazebo"):
         if known_issue.applied(root):
             notes.append(f"Gazebo: {known_issue.title}; {known_issue.fix}.")
     meshes, unread = take_meshes(root, package=package, packages=packages, folder=Path(file).parent)
     limited = copy.deepcopy(root)
     limit_turns(limited, chain)
-    R_world_base = _held_way(robot, chain).R
+    R_world_base = description.root_to(chain.base).R
     return GazeboModel(
         _text(root), _text(limited), meshes, R_world_base @ arm.gravity, (*notes, *unread)
     )
@@ -92,18 +89,6 @@ def _refuse_massless(arm: SerialArm, file: str) -> None:
                 file=file,
                 element=f"link {link.name!r}",
             )
-
-
-def _held_way(robot: Robot, chain: Chain) -> Transform:
-    """T_world_base, all joints outside the arm held still."""
-    moving = frozenset(edge.joint for edge in chain.moving)
-    poses: list[Transform] = []
-    link = chain.base
-    while link in robot.tree.above:
-        edge = robot.tree.above[link]
-        poses.insert(0, robot.held_pose(edge, moving))
-        link = edge.parent
-    return reduce(matmul, poses, Transform.identity())
 
 
 def _text(root: Element) -> str:

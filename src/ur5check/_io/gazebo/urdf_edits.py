@@ -10,8 +10,8 @@ from lxml import etree
 from ..._engines.adapters.gazebo import NO_LIMIT
 from ..._robot import Transform
 from ..number_text import exact, roll_pitch_yaw, triple
+from ..robot_arm import RobotDescription
 from ..urdf.urdf_chain import Chain
-from ..urdf.urdf_values import Robot
 from ..xml.xml_numbers import Element
 from .start_posture import HALF_TURN
 
@@ -41,15 +41,15 @@ def leave_out_control(root: Element) -> list[str]:
     return ["The model's own transmissions and control plugins are left out."] if taken else []
 
 
-def hold_still(root: Element, robot: Robot, chain: Chain) -> list[str]:
+def hold_still(root: Element, description: RobotDescription, chain: Chain) -> list[str]:
     """Fix every moving joint that is none of the arm's."""
     moving = frozenset(edge.joint for edge in chain.moving)
     held = []
-    for link, edge in robot.tree.above.items():
+    for link, edge in description.tree.above.items():
         if not edge.moves or edge.joint in moving:
             continue
         joint = next(node for node in root.iterchildren("joint") if node.get("name") == edge.joint)
-        pose = robot.held_pose(edge, moving)
+        pose = description.held_pose(edge, moving)
         for part in joint.findall("*"):
             if part.tag in _OF_A_MOVING_JOINT:
                 joint.remove(part)

@@ -13,12 +13,11 @@ import numpy as np
 
 from ..._errors import ModelError
 from ..._robot import SerialArm, Transform
+from ..._robot.robot import RobotLink, ShapeRef
 from ..._robot.transforms import Array
 from ..chain_assembly import rigid_poses
 from ..ros_packages import PackageMap, default_packages
-from ..urdf.urdf_checks import check_urdf
-from ..urdf.urdf_values import Robot
-from ..xml.xml_numbers import Element, ElementReader
+from ..urdf.urdf_reader import description_of_arm
 
 __all__ = ["Meshes", "Shape", "link_meshes"]
 
@@ -68,79 +67,64 @@ def link_meshes(arm: SerialArm, packages: PackageMap | None = None) -> Meshes:
     if arm.source.urdf is None:
         return Meshes(((),) * arm.n)
     file = arm.source.inputs[0][0] if arm.source.inputs else arm.name
-    root = check_urdf(arm.source.urdf.encode("utf-8"), file)
-    robot = Robot(root, file)
-    chain = robot.tree.chain(arm.source.base, arm.source.tip)
-    nodes = {node.get("name"): node for node in root.iterchildren("link")}
-    reader = _Reader(file, default_packages() if packages is None else packages)
+    description, findings = description_of_arm(arm, file)
+    chain = description.tree.chain(arm.source.base, arm.source.tip)
     moving = frozenset(edge.joint for edge in chain.moving)
+    reader = _Reader(Path(file).parent, default_packages() if packages is None else packages)
     links = []
     for edge in chain.moving:
         shapes: list[Shape] = []
-        edges = robot.tree.rigid_group(edge.child, chain)
-        for member, pose in rigid_poses(robot, edge.child, edges, moving).items():
-            shapes += reader.shapes(nodes[member], pose)
+        edges = description.tree.rigid_group(edge.child, chain)
+        for member, pose in rigid_poses(description, edge.child, edges, moving).items():
+            for kind in _KINDS:
+                prefix = f"link {member!r} {kind}"
+                reader.notes += [str(f) for f in findings if f.subject.startswith(prefix)]
+            shapes += reader.shapes(description.robot.link[member], pose)
         links.append(tuple(shapes))
     return Meshes(tuple(links), tuple(dict.fromkeys(reader.notes)))
 
 
 class _Reader:
-    """Reads the shapes of one file's links, and notes what it cannot."""
+    """Loads the shapes of links, and notes what it cannot."""
 
-    def __init__(self, file: str, packages: PackageMap) -> None:
-        self.numbers = ElementReader(file)
-        self.folder = Path(file).parent
-        self.packages = packages
+    def __init__(self, folder: Path, packages: PackageMap) -> None:
+        self.folder, self.packages = folder, packages
         self.notes: list[str] = []
 
-    def shapes(self, link: Element, pose: Transform) -> list[Shape]:
-        """The shapes of one `<link>` whose frame stands at `pose`."""
+    def shapes(self, link: RobotLink, pose: Transform) -> list[Shape]:
+        """The shapes of one link whose frame stands at `pose`."""
         found = []
         for kind in _KINDS:
-            for node in link.iterchildren(kind):
-                subject = f"link {link.get('name')!r} {kind}"
+            for shape in (shape for shape in link.shapes if shape.kind == kind):
                 try:
-                    found.append(self._shape(kind, node, subject, pose))
+                    found.append(self._shape(shape, pose))
                 except ModelError as error:
                     self.notes.append(str(error))
         return found
 
-    def _shape(
-        self,
-        kind: Literal["collision", "visual"],
-        node: Element,
-        subject: str,
-        pose: Transform,
-    ) -> Shape:
-        place = pose @ Transform.from_rpy(*self.numbers.origin(node, subject))
-        geometry = self.numbers.child(node, "geometry", subject)
-        solid = None if geometry is None else next(geometry.iterchildren("*"), None)
-        if solid is None:
-            self.numbers.fail(node, subject, "has no geometry", "write one, or remove it")
-        scale = np.ones(3)
-        if solid.tag == "mesh":
-            name = solid.get("filename") or ""
+    def _shape(self, shape: ShapeRef, pose: Transform) -> Shape:
+        place, scale = pose @ shape.pose, np.ones(3)
+        if shape.geometry == "mesh":
+            name = shape.uri
             mesh = _read(self.packages.resolve(name, self.folder), name)
-            scale = np.array(self.numbers.triple(solid, "scale", subject, (1.0, 1.0, 1.0)))
+            scale = np.array(shape.size)
         else:
-            name, mesh = solid.tag, self._primitive(solid, subject)
+            name, mesh = shape.geometry, _primitive(shape)
         points, volume, closed = _extent(mesh, name)
         vertices = (points * scale) @ place.R.T + place.p
-        return Shape(kind, name, vertices, volume * float(abs(scale.prod())), closed)
+        return Shape(shape.kind, name, vertices, volume * float(abs(scale.prod())), closed)
 
-    def _primitive(self, solid: Element, subject: str) -> Any:
-        from trimesh import creation
 
-        if solid.tag == "box":
-            return creation.box(self.numbers.triple(solid, "size", subject, None))
-        if solid.tag not in ("cylinder", "sphere"):
-            self.numbers.fail(solid, subject, f"<{solid.tag}> is no shape of URDF", "use a mesh")
-        radius = self.numbers.number(solid, "radius", subject)
-        if solid.tag == "sphere":
-            return creation.icosphere(radius=float(radius))
-        return creation.cylinder(
-            float(radius), float(self.numbers.number(solid, "length", subject))
-        )
+def _primitive(shape: ShapeRef) -> Any:
+    from trimesh import creation
+
+    if shape.geometry == "box":
+        return creation.box(shape.size)
+    if shape.geometry == "sphere":
+        return creation.icosphere(radius=shape.size[0])
+    if shape.geometry == "capsule":
+        return creation.capsule(height=shape.size[1], radius=shape.size[0])
+    return creation.cylinder(radius=shape.size[0], height=shape.size[1])
 
 
 def _read(path: Path, name: str) -> Any:

@@ -153,15 +153,22 @@ class Bodies:
         return _written_inertia(body, self._model.body_iquat[index])
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
+        self,
+        tag: Literal["link", "joint"],
+        name: str,
+        part: str,
+        problem: str,
+        fix: str,
+        rule: str = "XML100",
     ) -> NoReturn:
         """Raise ModelError at a body or joint."""
-        element = self._joints.get(name) if tag == "joint" else self._bodies.get(name)
+        node = self._joints.get(name) if tag == "joint" else self._bodies.get(name)
         # MuJoCo keeps no line of a <freejoint>; its body's line is used.
-        info = "" if element is None else element.info or element.parent.info
+        info = "" if node is None else node.info or node.parent.info
         file, line = self._text.place(info)
         word = "body" if tag == "link" else tag
-        raise ModelError(problem, fix=fix, file=file, line=line, element=f"{word} {name!r}{part}")
+        element = f"{word} {name!r}{part}"
+        raise ModelError(problem, fix=fix, file=file, line=line, element=element, rule=rule)
 
     def _limits(self, index: int, name: str) -> Limits:
         lower, upper = self._model.jnt_range[index] if self._model.jnt_limited[index] else (

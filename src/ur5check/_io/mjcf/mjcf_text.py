@@ -225,9 +225,9 @@ def _check_inertial(node: Element, reader: ElementReader, subject: str) -> None:
         problem = f"takes {len(names)} numbers, not {len(entries)}"
         reader.fail(node, f"{subject} {key}", problem, "write them all", node.get(key))
     products = {"ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
-    tensor, rounding = printed_tensor(products | dict(zip(names, entries, strict=True)))
+    tensor, digits = printed_tensor(products | dict(zip(names, entries, strict=True)))
     line = node.sourceline
-    check_inertia(mass, tensor, Place(reader.file, f"{subject}/", line, line), rounding=rounding)
+    check_inertia(mass, tensor, Place(reader.file, f"{subject}/", line, line), digits=digits)
 
 
 def _named(node: Element) -> str:

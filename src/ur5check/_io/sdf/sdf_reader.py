@@ -177,11 +177,17 @@ class _Links:
         return self._plant.EvalBodyPoseInWorld(context, body).rotation().matrix()
 
     def fail(
-        self, tag: Literal["link", "joint"], name: str, part: str, problem: str, fix: str
+        self,
+        tag: Literal["link", "joint"],
+        name: str,
+        part: str,
+        problem: str,
+        fix: str,
+        rule: str = "XML100",
     ) -> NoReturn:
         """Raise ModelError at a link or joint."""
         node = (self._text.joints if tag == "joint" else self._text.links)[name]
-        self._text.fail(node, f"{tag} {name!r}{part}", problem, fix)
+        self._text.fail(node, f"{tag} {name!r}{part}", problem, fix, rule=rule)
 
     def _checked(self, edges: list[Edge]) -> list[str]:
         """The links, of which the joints must make one tree."""

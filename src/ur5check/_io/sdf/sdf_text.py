@@ -89,12 +89,12 @@ class SdfText:
             default = "1 kg m²" if entry[1] == entry[2] else "0"
             node = self._part(inertia_node, entry, f"{subject}/inertia", default)
             (entries[entry],) = self._numbers(node, f"{subject}/inertia/{entry}", 1)
-        tensor, rounding = printed_tensor(dict(entries))
+        tensor, digits = printed_tensor(entries)
         place = Place(
             self.reader.file, f"{subject}/", mass_node.sourceline, inertia_node.sourceline
         )
-        check_inertia(mass, tensor, place, rounding=rounding, point_mass=True)
-        own = Inertia(mass, np.zeros(3), tensor)
+        check_inertia(mass, tensor, place, digits=digits, point_mass=True)
+        own = Inertia(mass, np.zeros(3), tensor, digits)
         return own.expressed_in(self._pose(inertial, subject))
 
     def losses(self, joint: str) -> tuple[float, float]:
@@ -104,10 +104,16 @@ class SdfText:
         return given["damping"], given["friction"]
 
     def fail(
-        self, node: Element, element: str | None, problem: str, fix: str, value: object = None
+        self,
+        node: Element,
+        element: str | None,
+        problem: str,
+        fix: str,
+        value: object = None,
+        rule: str = "XML100",
     ) -> NoReturn:
         """Raise ModelError at an element."""
-        self.reader.fail(node, element, problem, fix, value)
+        self.reader.fail(node, element, problem, fix, value, rule)
 
     def warnings_of_drake(self, error: Exception) -> ModelError:
         """Drake's refusal as a ModelError."""

@@ -1,27 +1,32 @@
-"""A URDF's text to a `SerialArm`.
-
-`check_urdf` refuses what two readers could read differently, `Robot` holds the numbers, and
-`assemble` builds the arm from the chain between base and tip.
-"""
+"""A URDF's text to a `Robot` with all that is wrong in it, or to a `SerialArm`."""
 
 from __future__ import annotations
 
 import hashlib
 
-from ..._robot import SerialArm, Source
-from ..chain_assembly import assemble
+from ..._errors import ModelError
+from ..._finding import Finding, Place
+from ..._robot.robot import Robot
+from ..._robot.serial_arm import SerialArm
+from ..._rules.finding_log import FindingLog, finding_of
+from ..arm_loading import load_arm
 from ..model_format import ModelFile
-from ..xml.safe_xml import checked_xml
-from .urdf_chain import Edge
-from .urdf_checks import check_urdf
-from .urdf_values import Robot
+from ..robot_arm import RobotDescription
+from ..xml.xml_tree import XmlError, parse_xml
+from .urdf_robot import read_urdf_robot
 
-__all__ = ["read_urdf", "read_urdf_file"]
+__all__ = ["description_of_arm", "read_robot_of_urdf", "read_urdf", "read_urdf_file"]
+
+_OTHER_FORMATS = {
+    "sdf": "this is an SDFormat file: name it .sdf",
+    "mujoco": "this is a MuJoCo model: name it .xml",
+    "COLLADA": "this is a mesh: give the robot's description",
+}
 
 
 def read_urdf_file(file: ModelFile) -> SerialArm:
-    """The arm in a URDF.  Raises ModelError as `read_urdf` does."""
-    return read_urdf(file.data, file=file.label, base=file.base, tip=file.tip)
+    """The arm in a URDF.  Raises ModelError as `load_arm` does."""
+    return read_urdf(file.data, file=file.label, base=file.base, tip=file.tip, strict=file.strict)
 
 
 def read_urdf(
@@ -31,48 +36,52 @@ def read_urdf(
     base: str | None = None,
     tip: str | None = None,
     kind: str = "urdf",
-    inputs: tuple[tuple[str, str], ...] | None = None,
+    inputs: tuple[tuple[str, str], ...] = (),
+    strict: bool = True,
 ) -> SerialArm:
-    """The arm between two links of a URDF.
+    """The arm between two links of a URDF.  Raises ModelError as `load_arm` does.
 
-    data : the file's bytes;  file : what errors and reports call it
-    base : link to start from, any from which the tip is reached without climbing a moving joint
-        (default: the root)
-    tip : link to end at (default: the end of the only chain of moving joints)
-    kind, inputs : for `Source`, where the text was made from something else (xacro)
-
-    Raises ModelError if the file is faulty, branches where no base and tip choose, or if the chain
-    holds a joint that is not one angle or one length of its own.
+    data, file, kind, inputs : as for `read_robot_of_urdf`;  base, tip, strict : as for `load_arm`
     """
-    text = checked_xml(data, file)
-    robot = Robot(check_urdf(text, file), file)
-    chain = robot.tree.chain(base, tip)
-    for edge in chain.moving:
-        _refuse_unless_simple(robot, edge)
-    parts = assemble(robot, chain)
-    return SerialArm(
-        robot.name,
-        parts.joints,
-        parts.links,
-        base=parts.base,
-        source=Source(
-            kind=kind,
-            inputs=inputs or ((file, hashlib.sha256(data).hexdigest()),),
-            urdf=text.decode("utf-8"),
-            base=chain.base,
-            tip=chain.tip,
-            notes=parts.notes,
-        ),
-    )
+    robot, findings = read_robot_of_urdf(data, file=file, kind=kind, inputs=inputs)
+    text = None if robot is None else data.decode("utf-8")
+    return load_arm(robot, findings, base=base, tip=tip, urdf=text, strict=strict)
 
 
-def _refuse_unless_simple(robot: Robot, edge: Edge) -> None:
-    """A joint of the chain must have one coordinate, and that its own."""
-    if edge.kind in ("planar", "floating"):
-        problem = f"is {edge.kind}: neither revolute nor prismatic"
-        fix = "choose base= and tip= so that it lies outside the arm"
-        robot.fail("joint", edge.joint, "", problem, fix)
-    followed = robot.mimicked(edge.joint)
-    if followed is not None:
-        problem = f"mimics {followed!r}: it has no coordinate of its own"
-        robot.fail("joint", edge.joint, "", problem, "choose a tip= before it, or remove <mimic>")
+def description_of_arm(arm: SerialArm, file: str) -> tuple[RobotDescription, tuple[Finding, ...]]:
+    """The robot in an arm's URDF text, joints beside the arm held where the arm has them.
+
+    file : what errors and findings call the text
+    """
+    text = (arm.source.urdf or "").encode()
+    robot, findings = read_robot_of_urdf(text, file=file)
+    if robot is None:
+        raise ModelError.of(findings[0])
+    return RobotDescription(robot, dict(arm.source.held)), findings
+
+
+def read_robot_of_urdf(
+    data: bytes, *, file: str, kind: str = "urdf", inputs: tuple[tuple[str, str], ...] = ()
+) -> tuple[Robot | None, tuple[Finding, ...]]:
+    """The robot that a URDF describes, None where it describes none, and all that is wrong.
+
+    data : the file's bytes;  file : what findings and reports call it
+    kind, inputs : of the robot, where the text was made from something else (xacro)
+    """
+    try:
+        root = parse_xml(data, file)
+    except XmlError as error:
+        place = Place(file, error.line, error.column)
+        return None, (finding_of("XML101", "file", error.problem, place, fix=error.fix),)
+    if root.tag != "robot" or "xmlns" in root.attributes:
+        fix = _OTHER_FORMATS.get(root.tag, "a URDF's root is <robot>")
+        if root.tag == "robot":
+            fix = "remove the default namespace, xmlns=…: URDF has none"
+        problem = f"the root element <{root.tag}> is not a URDF's"
+        return None, (
+            finding_of("XML102", f"<{root.tag}>", problem, root.place(), value=root.tag, fix=fix),
+        )
+    log = FindingLog()
+    of_file = ((file, hashlib.sha256(data).hexdigest()),)
+    robot = read_urdf_robot(root, log, kind=kind, inputs=inputs or of_file)
+    return robot, tuple(log.findings)

@@ -199,10 +199,10 @@ class _Reader:
 
     def _shape(self, node: XmlNode, subject: str) -> ShapeRef | None:
         where = f"{subject} {node.tag}"
-        geometry = self._only(node, "geometry", subject)
+        geometry = self._only(node, "geometry", where)
         solids = [] if geometry is None else geometry.children
         if not solids:
-            self.log.add("XML104", subject, f"<{node.tag}> has no geometry", node.place())
+            self.log.add("XML104", where, f"<{node.tag}> has no geometry", node.place())
             return None
         solid = solids[0]
         xyz, rpy, _ = self._origin(node, where)
@@ -220,7 +220,7 @@ class _Reader:
             uri = solid.get("filename") or ""
             size = self._triple(solid, "scale", where, (1.0, 1.0, 1.0))
         else:
-            self.log.add("XML106", subject, f"<{solid.tag}> is no shape of URDF", solid.place())
+            self.log.add("XML106", where, f"<{solid.tag}> is no shape of URDF", solid.place())
             return None
         if not np.isfinite(size).all():
             return None
@@ -319,6 +319,9 @@ class _Reader:
             for key in ("lower", "upper", "effort", "velocity")
             if limit.get(key) is not None
         }
+        for key in ("effort", "velocity"):
+            if key not in values:  # urdfdom refuses the file, whatever kind of joint it is
+                self.log.add("XML104", f"{subject} limit", f"{key} is missing", limit.place())
         bounded = kind not in ("continuous", "fixed", "floating", "planar")
         return Limits(
             lower=values.get("lower", 0.0) if bounded else None,  # URDF: left out, it is 0

@@ -12,7 +12,7 @@ __all__ = ["read_xacro_file"]
 
 
 def read_xacro_file(file: ModelFile) -> SerialArm:
-    """The arm in a xacro.  Raises ModelError as `expand_xacro` and `read_urdf` do."""
+    """The arm in a xacro.  Raises ModelError as `expand_xacro` and `load_arm` do."""
     expansion = expand_xacro(
         file.path,
         arguments=file.arguments or {},
@@ -26,4 +26,5 @@ def read_xacro_file(file: ModelFile) -> SerialArm:
         tip=file.tip,
         kind="xacro",
         inputs=tuple(expansion.inputs),
+        strict=file.strict,
     )

@@ -24,7 +24,7 @@ from ..._errors import ModelError
 from ..._files import read_regular
 from ..package_search import with_linked_sources
 from ..ros_packages import PackageMap
-from ..xml.safe_xml import checked_xml
+from ..xml.xml_tree import checked_xml
 
 __all__ = ["Expansion", "expand_xacro"]
 

@@ -30,7 +30,13 @@ class ElementReader:
         self.file = file
 
     def fail(
-        self, node: Element, element: str | None, problem: str, fix: str, value: object = None
+        self,
+        node: Element,
+        element: str | None,
+        problem: str,
+        fix: str,
+        value: object = None,
+        rule: str = "XML100",
     ) -> NoReturn:
         raise ModelError(
             problem,
@@ -39,6 +45,7 @@ class ElementReader:
             line=node.sourceline,
             element=element,
             value=value,
+            rule=rule,
         )
 
     def name(self, node: Element) -> str:

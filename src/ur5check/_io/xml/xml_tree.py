@@ -13,29 +13,51 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from xml.parsers import expat
 
+from ..._errors import ModelError
 from ..._finding import Place
 
-__all__ = ["LARGEST_FILE", "XmlError", "XmlFile", "XmlNode", "parse_xml"]
+__all__ = [
+    "CORRECT_XML",
+    "LARGEST_FILE",
+    "XmlError",
+    "XmlFile",
+    "XmlNode",
+    "checked_xml",
+    "parse_xml",
+]
 
 #: Larger than any description of a robot (meshes are files of their own) [bytes].
 LARGEST_FILE = 64 * 2**20
 
 _MARKS = (
+    (b"\xff\xfe\x00\x00", "UTF-32"),
+    (b"\x00\x00\xfe\xff", "UTF-32"),
     (b"\xff\xfe", "UTF-16"),
     (b"\xfe\xff", "UTF-16"),
     (b"\xef\xbb\xbf", "UTF-8 with a byte order mark"),
     (b"<\x00", "UTF-16 without a byte order mark"),
     (b"\x00<", "UTF-16 without a byte order mark"),
 )
+CORRECT_XML = "correct the XML; a cut-off file must be fetched again"
+_SAVE_AS_UTF8 = "save the file as UTF-8 without a byte order mark"
 _ENCODING = re.compile(rb"""\A<\?xml\s[^>]*?\bencoding\s*=\s*["']([^"']*)["']""")
 
 
 class XmlError(Exception):
-    """Text that is no XML that every reader reads alike.  line, column : from 1, 0 if unknown."""
+    """Text that is no XML that every reader reads alike.
 
-    def __init__(self, problem: str, line: int = 0, column: int = 0) -> None:
+    fix : what to do;  line, column : from 1, 0 if unknown
+    """
+
+    def __init__(self, problem: str, fix: str, line: int = 0, column: int = 0) -> None:
         super().__init__(problem)
-        self.problem, self.line, self.column = problem, line, column
+        self.problem, self.fix, self.line, self.column = problem, fix, line, column
+
+    def of_file(self, file: str) -> ModelError:
+        """The same about a file."""
+        return ModelError(
+            self.problem, fix=self.fix, file=file, line=self.line or None, rule="XML101"
+        )
 
 
 @dataclass(eq=False)
@@ -98,6 +120,15 @@ class XmlNode:
         return Place(self.file.name, line, column, element)
 
 
+def checked_xml(data: bytes, file: str) -> bytes:
+    """`data` itself.  Raises ModelError for what `parse_xml` refuses; file : what it is called."""
+    try:
+        parse_xml(data, file)
+    except XmlError as error:
+        raise error.of_file(file) from None
+    return data
+
+
 def parse_xml(data: bytes, name: str) -> XmlNode:
     """The root of an XML file.
 
@@ -105,21 +136,24 @@ def parse_xml(data: bytes, name: str) -> XmlNode:
     document type, and anything that is not well-formed.
     """
     if len(data) > LARGEST_FILE:
-        raise XmlError(f"the file has {len(data):,} bytes, more than {LARGEST_FILE:,}")
+        problem = f"the file has {len(data):,} bytes, more than {LARGEST_FILE:,}"
+        raise XmlError(problem, "give the robot's description, without meshes in it")
     if not data.strip():
-        raise XmlError("the file is empty")
+        raise XmlError("the file is empty", "give a robot description")
     file = XmlFile(name, data)
     for mark, encoding in _MARKS:
         if data.startswith(mark):
-            raise XmlError(f"the file is {encoding}, not UTF-8", 1, 1)
+            raise XmlError(f"the file is {encoding}, not UTF-8", _SAVE_AS_UTF8, 1, 1)
     declared = _ENCODING.match(data)
     if declared and declared[1].lower() not in (b"utf-8", b"us-ascii", b"ascii"):
         encoding = declared[1].decode("ascii", "replace")
-        raise XmlError(f"the file declares the encoding {encoding}, not UTF-8", 1, 1)
+        problem = f"the file declares the encoding {encoding}, not UTF-8"
+        raise XmlError(problem, f"{_SAVE_AS_UTF8} and declare that", 1, 1)
     try:
         data.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise XmlError("the file is not UTF-8 text", *file.line_column(error.start)) from None
+        line, column = file.line_column(error.start)
+        raise XmlError("the file is not UTF-8 text", _SAVE_AS_UTF8, line, column) from None
     return _parsed(file)
 
 
@@ -143,7 +177,8 @@ def _parsed(file: XmlFile) -> XmlNode:
     def doctype(*_: object) -> None:
         line, column = parser.CurrentLineNumber, parser.CurrentColumnNumber + 1
         problem = "a document type (DOCTYPE, which may declare entities) is not accepted"
-        raise XmlError(problem, line, column)
+        fix = "write out what its entities stand for and remove it"
+        raise XmlError(problem, fix, line, column)
 
     parser.StartElementHandler = start
     parser.EndElementHandler = end
@@ -154,6 +189,9 @@ def _parsed(file: XmlFile) -> XmlNode:
     except expat.ExpatError as error:
         reason = expat.ErrorString(error.code)
         raise XmlError(
-            f"the file is not well-formed XML: {reason}", error.lineno, error.offset + 1
+            f"the file is not well-formed XML: {reason}",
+            CORRECT_XML,
+            error.lineno,
+            error.offset + 1,
         ) from None
     return roots[0]
