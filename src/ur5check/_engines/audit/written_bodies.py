@@ -1,8 +1,8 @@
 """The inertia of every link that a joint carries as the file has it, and its known misreadings.
 
-A `SerialArm` has one inertia per joint.  To name what an engine did to a link, the links are needed
-one by one, with the known misreadings: the rotation of the `<inertial>` left out, the body left
-out, a default body where none is written.
+A `SerialArm` or `RobotTree` has one inertia per joint.  To name what an engine did to a link, the
+links are needed one by one, with the known misreadings: the rotation of the `<inertial>` left out,
+the body left out, a default body where none is written.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._robot.inertia import Inertia
+from ..._robot.robot_tree import ArmOrTree, RobotTree, tree_links
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
 from .audit_tolerances import tensor_rounding
@@ -60,7 +61,7 @@ class WrittenBody:
 @dataclass(frozen=True, eq=False)
 class WrittenArm:
     """bodies : every link that moves, a joint's own before those fixed to it
-    on_base : names of the links with a mass that no joint of the arm carries
+    on_base : names of the links with a mass that no joint of the arm or tree carries
     """
 
     bodies: tuple[WrittenBody, ...]
@@ -68,14 +69,43 @@ class WrittenArm:
 
 
 @lru_cache(maxsize=4)  # the audits of all engines need the same arm
-def written_arm(arm: SerialArm) -> WrittenArm:
-    """The arm's source, link by link."""
+def written_arm(arm: ArmOrTree) -> WrittenArm:
+    """The source of an arm or a tree, link by link."""
     if arm.source.urdf is None:
         return _of_values(arm)
+    return _of_tree(arm, arm.source.urdf) if isinstance(arm, RobotTree) else _of_arm(arm)
+
+
+def _of_tree(tree: RobotTree, urdf: str) -> WrittenArm:
+    from ..._io.urdf.urdf_robot import read_urdf_robot
+    from ..._io.xml.safe_xml import parsed_xml
+    from ..._io.xml.xml_tree import parse_xml
+    from ..._rules.finding_log import FindingLog
+
+    robot = read_urdf_robot(parse_xml(urdf.encode(), tree.name), FindingLog())
+    nodes = {str(node.get("name")): node for node in parsed_xml(urdf).iterchildren("link")}
+    bodies, on_base = [], []
+    aboves: dict[str, tuple[str, ...]] = {}
+    for name, (i, pose) in tree.placements.items():
+        inertial = robot.link[name].inertial
+        inertia = None if inertial is None else inertial.inertia
+        if i < 0:
+            on_base += [name] if inertia is not None and inertia.mass > 0.0 else []
+            continue
+        above: tuple[str, ...] = ()
+        if name != tree.links[i].link.name:  # fixed to the moving link, or to what is
+            parent = robot.above[name].parent
+            above = (parent, *aboves[parent])
+        aboves[name] = above
+        bodies.append(_body(name, i, above, inertia, nodes[name], pose))
+    return WrittenArm(tuple(bodies), tuple(on_base))
+
+
+def _of_arm(arm: SerialArm) -> WrittenArm:
     from ..._io.urdf.urdf_checks import check_urdf
     from ..._io.urdf.urdf_values import Robot
 
-    root = check_urdf(arm.source.urdf.encode(), arm.name)
+    root = check_urdf(str(arm.source.urdf).encode(), arm.name)
     robot = Robot(root, arm.name)
     nodes = {str(node.get("name")): node for node in root.iterchildren("link")}
     chain = robot.tree.chain(arm.source.base, arm.source.tip)
@@ -88,31 +118,40 @@ def written_arm(arm: SerialArm) -> WrittenArm:
             poses[step.child] = poses[step.parent] @ robot.held_pose(step, moving)
             above[step.child] = (step.parent, *above[step.parent])
         for name, pose in poses.items():
-            inertia, node = robot.inertia(name), nodes[name]
-            bodies.append(
-                WrittenBody(
-                    name,
-                    i,
-                    above[name],
-                    np.zeros(10) if inertia is None else inertia.expressed_in(pose).parameters(),
-                    inertia is not None,
-                    node.find("collision") is not None or node.find("visual") is not None,
-                    tuple(_misreadings(inertia, node, pose)),
-                )
-            )
+            bodies.append(_body(name, i, above[name], robot.inertia(name), nodes[name], pose))
     carried = {body.name for body in bodies}
     inertias = {name: robot.inertia(name) for name in nodes if name not in carried}
     on_base = tuple(name for name, inertia in inertias.items() if inertia and inertia.mass > 0.0)
     return WrittenArm(tuple(bodies), on_base)
 
 
-def _of_values(arm: SerialArm) -> WrittenArm:
+def _body(
+    name: str,
+    i: int,
+    above: tuple[str, ...],
+    inertia: Inertia | None,
+    node: _Element,
+    pose: Transform,
+) -> WrittenBody:
+    """pose : of the link in frame i"""
+    return WrittenBody(
+        name,
+        i,
+        above,
+        np.zeros(10) if inertia is None else inertia.expressed_in(pose).parameters(),
+        inertia is not None,
+        node.find("collision") is not None or node.find("visual") is not None,
+        tuple(_misreadings(inertia, node, pose)),
+    )
+
+
+def _of_values(arm: ArmOrTree) -> WrittenArm:
     """A DH table or a value: one body a joint."""
     lost = (Misreading("body-lost", np.zeros(10), "nothing"),)
     return WrittenArm(
         tuple(
-            WrittenBody(link.name, i, (), link.inertia.parameters(), True, False, lost)
-            for i, link in enumerate(arm.links)
+            WrittenBody(each.link.name, i, (), each.link.inertia.parameters(), True, False, lost)
+            for i, each in enumerate(tree_links(arm))
         )
     )
 
