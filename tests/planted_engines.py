@@ -166,7 +166,9 @@ class OrderOfItsOwn(Honest):
 
     def imported_model(self):
         whole = super().imported_model()
-        return replace(whole, joints=tuple(whole.joints[k] for k in self.order))
+        order = list(self.order)
+        joints = tuple(whole.joints[k] for k in order)
+        return replace(whole, joints=joints, origins=whole.origins[order])
 
 
 class LimitsLost(Honest):
@@ -187,6 +189,12 @@ class AxisReversed(Honest):
         whole = super().imported_model()
         first = replace(whole.joints[0], axis=-whole.joints[0].axis)
         return replace(whole, joints=(first, *whole.joints[1:]))
+
+
+class JointMoved(Honest):
+    def imported_model(self):
+        whole = super().imported_model()
+        return replace(whole, origins=whole.origins + [[0, 0, 0], [0, 0, 1e-9], [0, 0, 0]])
 
 
 class ToolElsewhere(Honest):

@@ -172,9 +172,20 @@ def test_a_lost_joint_is_caught():
 
         def imported_model(self):
             held = super().imported_model()
-            return replace(held, joints=held.joints[1:])
+            return replace(held, joints=held.joints[1:], origins=held.origins[1:])
 
     assert any("(imported-joints)" in sentence for sentence in conformance.violations(Lost))
+
+
+def test_a_moved_joint_is_caught():
+    class Moved(RecursionEngine):
+        name = "moved"
+
+        def imported_model(self):
+            held = super().imported_model()
+            return replace(held, origins=held.origins + [0.0, 1e-9, 0.0])
+
+    assert any("(imported-origins)" in sentence for sentence in conformance.violations(Moved))
 
 
 def test_our_own_side_breaks_no_law():

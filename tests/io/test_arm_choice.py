@@ -18,7 +18,7 @@ ROBOTS = example_robot_data() / "robots"
 
 def arm_of(file, **options):
     reading = read_robot(file)
-    return arm_of_robot(reading.robot, urdf=reading.text, **options)
+    return arm_of_robot(reading.robot, **options)
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Compare physics engines on one model: which parameters each engine imports from
 the file, how far apart their torques are, and how to repair the file for an
-engine that misreads it.  Without a model: list the engines.
+engine that misreads it.  A file with several chains is compared whole, on a
+fixed base.  Without a model: list the engines.
 
 Exit code 0: all torques agree within --tolerance, with files repaired for known
 issues unless --as-read is given.  1: they do not, or an engine refuses the
@@ -30,6 +31,7 @@ EXAMPLES = f"""\
 
 examples:
   ur5check engines my.urdf.xacro --with mujoco,drake --as-read --tolerance 1e-6
+  ur5check engines humanoid.urdf --with pinocchio,mujoco
   ur5check engines --fleet -o fleet.md
 """
 
@@ -41,6 +43,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="MODEL",
         nargs="?",
         help="model that every engine imports; none: list the engines",
+    )
+    parser.add_argument(
+        "--whole",
+        action="store_true",
+        help="compare the whole robot, also of a file with one arm (default: its arm)",
     )
     parser.add_argument("--list", action="store_true", help="list the engines, with versions")
     parser.add_argument(
@@ -109,8 +116,8 @@ def _list(args: argparse.Namespace) -> int:
 def _model(args: argparse.Namespace) -> int:
     options = ModelOptions.of(args, (args.model,))
     check_output(args.output, ())
-    (arm,) = arms = options.load(quiet=args.quiet)
-    check_output(args.output, options.files(arms))
+    arm = options.load_arm_or_tree(whole=args.whole, quiet=args.quiet)
+    check_output(args.output, options.files([arm]))
 
     from .._engines.audit.engine_comparison import SAME_ROBOT, SAMPLES, compare_engines
     from .._reports.engines_document import engines_document
@@ -185,6 +192,7 @@ def _command(args: argparse.Namespace, models: tuple[str, ...]) -> str:
     words += [f"--with {','.join(_engines(args) or ())}"] if args.engines is not None else []
     words += ["--tolerance", repr(args.tolerance)]
     words += ["--as-read"] if args.as_read else []
+    words += ["--whole"] if args.whole else []
     return " ".join(words)
 
 
@@ -195,9 +203,11 @@ def _check(args: argparse.Namespace) -> None:
         raise UsageError(f"{option} takes no model; leave {args.model} out")
     if args.fleet and args.list:
         raise UsageError("--list and --fleet do not go together; drop one")
+    if args.whole and (args.base is not None or args.tip is not None):
+        raise UsageError("--base and --tip choose an arm; leave them out, or --whole")
     given = {
         "--gravity": args.gravity, "--base": args.base, "--tip": args.tip,
-        "--arg": args.arg, "--package": args.package,
+        "--arg": args.arg, "--package": args.package, "--whole": args.whole,
     }  # fmt: skip
     if args.model is None:
         if not args.fleet:

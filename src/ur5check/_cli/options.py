@@ -15,6 +15,9 @@ from .._io.formats import format_by_suffix, suffixes_in_words
 from .._reports.formats import FORMATS
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .._robot.robot_tree import ArmOrTree
     from .._robot.serial_arm import SerialArm
 
 __all__ = [
@@ -155,7 +158,19 @@ class ModelOptions:
             )
         return arms
 
-    def files(self, arms: list[SerialArm]) -> list[Path]:
+    def load_arm_or_tree(self, *, whole: bool, quiet: bool) -> ArmOrTree:
+        """The arm of the only model, or the whole robot (see `_io.arm_or_tree`)."""
+        from .._io.arm_or_tree import load_arm_or_tree
+
+        (model,), ((base, tip),) = self.models, self.ends
+        progress(quiet, f"reading {model}")
+        arguments = self.arguments if _is_xacro(model) else None
+        packages = self.packages
+        return load_arm_or_tree(
+            model, whole=whole, base=base, tip=tip, packages=packages, arguments=arguments
+        )
+
+    def files(self, arms: Sequence[ArmOrTree]) -> list[Path]:
         """What was read: the models' own files, and those that a xacro included."""
         from .input_files import input_files
 

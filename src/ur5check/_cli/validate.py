@@ -75,6 +75,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="JOINT=VALUE",
         help="position of a joint beside the arm [rad] or [m] (default 0); repeatable",
     )
+    parser.add_argument(
+        "--engines",
+        metavar="ENGINES",
+        help="audit what these import, as a,b,c or all (default: the configuration's)",
+    )
     parser.add_argument("--no-meshes", action="store_true", help="do not read mesh files")
     parser.add_argument(
         "--jobs", type=int, metavar="N", help="processes for many files (default: one a core)"
@@ -104,6 +109,8 @@ def run(args: argparse.Namespace) -> int:
         configuration = find_configuration(_folder_of(models[0]))
     if args.samples is None:
         args.samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
+    if args.engines is None:
+        args.engines = ",".join(configuration.engines)
     if args.fail_level is None:
         args.fail_level = configuration.fail_level
     requests = _requests(args, models)
@@ -159,6 +166,7 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
             args.payload,
             args.expect_mass,
             not args.no_meshes,
+            tuple(name.strip() for name in args.engines.split(",") if name.strip()),
         )
         for model, (base, tip) in zip(models, ends, strict=True)
     ]
@@ -172,6 +180,7 @@ def _command(args: argparse.Namespace) -> str:
     if args.expect_mass is not None:
         words += ["--expect-mass", repr(args.expect_mass)]
     words += ["--payload", repr(args.payload)]
+    words += ["--engines", args.engines] if args.engines else []
     words += [f"--hold {shlex.quote(held)}" for held in args.hold]
     return " ".join(words + ["--no-meshes"] * args.no_meshes)
 

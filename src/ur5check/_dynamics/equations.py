@@ -218,7 +218,7 @@ def forward_dynamics(
     return _solved(arm, M, torque)
 
 
-def acceleration_of(arm: SerialArm, gravity: ArrayLike | None = None) -> Acceleration:
+def acceleration_of(arm: SerialArm | RobotTree, gravity: ArrayLike | None = None) -> Acceleration:
     """Forward dynamics prepared for one state at a time, as an integrator calls it.
 
     `forward_dynamics` runs the recursion n + 1 times, which is best for thousands of states at

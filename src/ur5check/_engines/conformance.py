@@ -149,6 +149,14 @@ def _imported_joints(t: _Trial) -> tuple[float, float]:
     return float(max(gaps)), 1.0
 
 
+def _imported_origins(t: _Trial) -> tuple[float, float]:
+    theirs, ours = _imported_model(t)
+    found = {j.name: p for j, p in zip(theirs.joints, theirs.origins, strict=True)}
+    if set(found) != {joint.name for joint in ours.joints}:
+        return float("inf"), 1.0
+    return _gap(np.array([found[joint.name] for joint in ours.joints]), ours.origins)
+
+
 def _imported_bodies(t: _Trial) -> tuple[float, float]:
     theirs, _ = _imported_model(t)
     groups = moving_inertias(theirs, t.case.arm)
@@ -172,6 +180,7 @@ LAWS: tuple[Law, ...] = (
     Law(
         "imported-joints", "the imported joints have their names, kinds and axes", _imported_joints
     ),
+    Law("imported-origins", "the imported joints are where the chain puts them", _imported_origins),
     Law(
         "imported-bodies", "each joint carries the inertia that the arm gives it", _imported_bodies
     ),

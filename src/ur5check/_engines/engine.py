@@ -14,7 +14,7 @@ from typing import ClassVar, Protocol, runtime_checkable
 
 from numpy.typing import ArrayLike
 
-from .._robot.serial_arm import SerialArm
+from .._robot.robot_tree import ArmOrTree
 from .._robot.transforms import Array
 from .imported_model import ImportedModel
 
@@ -23,15 +23,16 @@ __all__ = ["Engine", "MakeEngine", "ReferenceEngine", "Stepper"]
 
 @runtime_checkable
 class Engine(Protocol):
-    """An implementation of rigid-body dynamics with one arm loaded."""
+    """An implementation of rigid-body dynamics with one arm, or one robot, loaded."""
 
     name: str
     version: str
-    #: how the model reached the engine: "URDF text, own parser", "SerialArm", "pin.Model"
+    #: how the model reached the engine: "URDF text, own parser", or as a value: "SerialArm",
+    #: "RobotTree", "pin.Model"
     route: str
 
     def forward_kinematics(self, q: Array) -> Array:
-        """Pose of the tool in the base frame, shape (..., 4, 4)."""
+        """Pose of the tool (of a tree's last moving link) in the base frame, (..., 4, 4)."""
         ...
 
     def inverse_dynamics(self, q: Array, qd: Array, qdd: Array) -> Array:
@@ -63,12 +64,13 @@ class MakeEngine(Protocol):
     """How an engine is made: from an arm, whose source says by which route.
 
     An arm that came from a URDF reaches the engine as that text, through the engine's own parser;
-    any other arm is passed joint by joint.
+    any other arm is passed joint by joint.  A whole robot reaches it likewise, as a `RobotTree`
+    with a coordinate for every joint.
 
     Raises EngineError if the engine refuses the model.
     """
 
-    def __call__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> Engine:
+    def __call__(self, arm: ArmOrTree, gravity: ArrayLike | None = None) -> Engine:
         """The engine with `arm` loaded, under `gravity` (the arm's own when None)."""
         ...
 

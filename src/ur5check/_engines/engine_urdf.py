@@ -14,12 +14,12 @@ from lxml import etree
 
 from .._errors import EngineError
 from .._io.xml.safe_xml import parsed_xml
-from .._robot.serial_arm import SerialArm
+from .._robot.robot_tree import ArmOrTree
 
 __all__ = ["parsed", "root_link", "text_for_engines", "written"]
 
 
-def text_for_engines(arm: SerialArm) -> str:
+def text_for_engines(arm: ArmOrTree) -> str:
     """The arm's URDF without meshes, joints beside the arm fixed.
 
     Raises EngineError if a joint beside the arm is held away from zero.
@@ -54,7 +54,7 @@ def _fix(joint: Any) -> None:
     joint.set("type", "fixed")
 
 
-def parsed(arm: SerialArm) -> Any:
+def parsed(arm: ArmOrTree) -> Any:
     """The root element of the arm's URDF, which has passed the strict reading."""
     if arm.source.urdf is None:
         raise EngineError(f"arm {arm.name!r} did not come from a URDF")

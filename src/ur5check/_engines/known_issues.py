@@ -14,7 +14,7 @@ from lxml import etree
 from .._arguments import instance
 from .._errors import UsageError
 from .._io.xml.safe_xml import checked_root
-from .._robot.serial_arm import SerialArm
+from .._robot.robot_tree import ArmOrTree
 from .engine_urdf import written
 from .known_issue import KnownIssue
 from .registry import READERS
@@ -60,8 +60,8 @@ def repaired_text(urdf: str, key: str) -> tuple[str, tuple[KnownIssue, ...]]:
     return written(root), avoided
 
 
-def repaired(arm: SerialArm, key: str) -> SerialArm:
-    """The arm with its URDF rewritten for a reader; unchanged where nothing is rewritten."""
+def repaired(arm: ArmOrTree, key: str) -> ArmOrTree:
+    """The model with its URDF rewritten for a reader; unchanged where nothing is rewritten."""
     if arm.source.urdf is None or key not in repairable():
         return arm
     text, _ = repaired_text(arm.source.urdf, key)

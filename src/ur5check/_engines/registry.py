@@ -12,10 +12,12 @@ from numpy.typing import ArrayLike
 
 from .._dynamics.batching import gravity_of
 from .._errors import EngineError, UsageError
-from .._robot.as_arm import ArmSource, as_arm
+from .._robot.as_arm import ModelSource, as_arm_or_tree
+from .._robot.robot_tree import RobotTree
 from . import adapters
 from .engine import Engine, MakeEngine
 from .engine_entry import EngineEntry
+from .mimic_constraint import Constrained
 
 __all__ = [
     "READERS",
@@ -75,11 +77,15 @@ def engine_class(key: str) -> MakeEngine:
     return entry.make
 
 
-def make_engine(key: str, arm: ArmSource, gravity: ArrayLike | None = None) -> Engine:
-    """The engine of that key with an arm loaded; gravity in the arm's base frame [m/s²].
+def make_engine(key: str, arm: ModelSource, gravity: ArrayLike | None = None) -> Engine:
+    """The engine of that key with an arm or a tree loaded; gravity in its base frame [m/s²].
 
-    Raises EngineError, or UsageError for an unknown key.
+    Of a tree with mimic joints the engine has every joint, and answers in the tree's coordinates
+    (see `mimic_constraint`).  Raises EngineError, or UsageError for an unknown key.
     """
     make = engine_class(key)
-    arm = as_arm(arm)
-    return make(arm, gravity_of(arm, gravity))
+    arm = as_arm_or_tree(arm)
+    g = gravity_of(arm, gravity)
+    if isinstance(arm, RobotTree) and arm.followers and key != REFERENCE:
+        return Constrained(make(arm.unconstrained, g), arm)
+    return make(arm, g)

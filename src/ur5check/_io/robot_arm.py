@@ -28,13 +28,11 @@ def arm_of_robot(
     base: str | None = None,
     tip: str | None = None,
     hold: Mapping[str, float] | None = None,
-    urdf: str | None = None,
 ) -> SerialArm:
     """The arm between two links of a robot.
 
     base : default the root;  tip : default as `choose_arm` says, then the tool frame fixed there
     hold : positions of joints beside the arm [rad] or [m]; 0 where none is given
-    urdf : the text that the robot was read from, for engines that bring their own parser
 
     Raises ModelError where the chain holds a joint or a link that no arm can have, or where several
     chains could be meant; UsageError for a joint in `hold` that is not there or is the arm's own.
@@ -69,7 +67,7 @@ def arm_along(
         source=Source(
             kind=robot.kind,
             inputs=robot.inputs,
-            urdf=urdf,
+            urdf=robot.urdf,
             base=chain.base,
             tip=chain.tip,
             held=description.held_beside(moving),

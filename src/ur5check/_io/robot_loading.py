@@ -29,7 +29,6 @@ class RobotReading:
     robot : None where the file describes none
     inputs : (name, SHA-256) of every file that was read
     base, tip : between which links the arm is taken: as asked, else a shipped model's own
-    text : of the URDF, after xacro expansion, for engines that bring their own parser
     arm : where the format's reader gives one chain only (DH tables, MJCF, SDF)
     packages : where package:// addresses lead;  folder : of the file
     """
@@ -40,7 +39,6 @@ class RobotReading:
     packages: PackageMap
     folder: Path
     inputs: tuple[tuple[str, str], ...]
-    text: str | None = None
     arm: SerialArm | None = None
     base: str | None = None
     tip: str | None = None
@@ -176,6 +174,7 @@ def _urdf(
     robot, findings = read_robot_of_urdf(data, file=label, kind=kind, inputs=inputs)
     if robot is None:
         return file.nothing(*findings)
+    robot = replace(robot, urdf=data.decode("utf-8"))
     return RobotReading(
         label,
         robot,
@@ -183,7 +182,6 @@ def _urdf(
         file.packages,
         file.path.parent,
         inputs,
-        data.decode("utf-8"),
     )
 
 
@@ -214,6 +212,5 @@ def _one_chain(file: _File, base: str | None, tip: str | None) -> RobotReading:
         file.packages,
         file.path.parent,
         arm.source.inputs or file.inputs,
-        None,
         arm,
     )

@@ -8,6 +8,7 @@ from .._engines.audit.engine_comparison import SAME_ROBOT, EngineReport, Stage
 from .._engines.audit.engine_reading import Reading
 from .._engines.audit.import_difference import ImportDifference
 from .._engines.registry import REFERENCE, REGISTRY
+from .._robot.robot_tree import tree_links
 from .document import Column, Document, Row, Section, Table, Verdict
 from .engines_summary import summarize
 from .provenance import Provenance, inputs_of
@@ -37,7 +38,7 @@ def engines_document(
     if good and not report.as_read.agrees(limit):
         word = "AGREE ONCE REPAIRED"
     return Document(
-        f"{report.arm.name}: engine agreement",
+        f"{report.arm.name}{', whole robot' if report.whole else ''}: engine agreement",
         Verdict(word, verdict, good),
         tuple(lines),
         (_agreement(report, limit), _imports(report), _engines(report)),
@@ -88,7 +89,7 @@ def _answers(report: EngineReport, limit: float) -> Table:
                 continue  # it needed no repair: the same answers
             p = stage.matrix.between(REFERENCE, key)
             numbers = (p.torque, p.mass, p.bias, p.acceleration, p.tool)
-            joint = report.arm.joints[p.joint].name if p.torque > limit else MISSING
+            joint = report.arm.joint_names[p.joint] if p.torque > limit else MISSING
             cells = (REGISTRY[key].title, name, *map(residue, numbers), joint)
             rows.append(Row(cells, bad=p.torque > limit))
     return Table(
@@ -99,7 +100,7 @@ def _answers(report: EngineReport, limit: float) -> Table:
             Column("|ΔM| [kg m²]", number=True),
             Column("|Δh| [N m]", number=True),
             Column("|Δq̈| [of q̈]", number=True),
-            Column("tool [m]", number=True),
+            Column("last link [m]" if report.whole else "tool [m]", number=True),
             Column("worst joint"),
         ),
         tuple(rows),
@@ -173,7 +174,7 @@ def _places(alike: Sequence[ImportDifference]) -> str:
     names = [one.where for one in alike if one.where]
     if len(names) > _MOST_NAMES:
         return f"{len(names)} {names[0].partition(' ')[0]}s"
-    return ", ".join(names) or "whole arm"
+    return ", ".join(names) or "the whole model"
 
 
 def _short(text: str, most: int = 40) -> str:
@@ -208,6 +209,7 @@ def _imported_bodies(reading: Reading) -> str:
     if reading.imported is None:
         return MISSING
     mass = sum(body.inertia.mass for body in reading.imported.imported_model.bodies)
-    moving = sum(link.inertia.mass for link in reading.imported.imported_arm.links)
+    links = tree_links(reading.imported.imported_arm)
+    moving = sum(each.link.inertia.mass for each in links)
     bodies = len(reading.imported.imported_model.bodies)
     return f"{bodies} bodies, {mass:.6g} kg, {moving:.6g} kg of them moving"

@@ -77,11 +77,18 @@ class ImportDifferenceValue(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class EnginesReport(Report, frozen=True, kw_only=True, tag="ur5check.engines/2"):
-    """One model in several engines."""
+    """One model in several engines: an arm, or a whole robot.
+
+    coordinates: the joints of the states and torques, in order
+    mimic: joints that follow one of them
+    """
 
     verdict: AgreementVerdict
     summary: list[str]
     model: Model
+    whole: bool
+    coordinates: list[str]
+    mimic: list[str]
     gravity: Vector3
     states: int
     engines: list[EngineValue]
@@ -105,6 +112,9 @@ def engines_json(
         verdict=verdict_value(report, limit, as_read),
         summary=list(summarize(report, model, limit)),
         model=model_value(report.arm),
+        whole=report.whole,
+        coordinates=list(report.arm.joint_names),
+        mimic=list(report.mimic),
         gravity=vector(report.gravity),
         states=len(report.states),
         engines=[_engine(name, reading) for name, stage in stages for reading in stage.readings],
@@ -158,7 +168,7 @@ def _pairs(report: EngineReport) -> list[PairOfEngines]:
             bias_torque=pair.bias,
             acceleration=pair.acceleration,
             tool=pair.tool,
-            joint=report.arm.joints[pair.joint].name,
+            joint=report.arm.joint_names[pair.joint],
             state=state(report.states[pair.state]),
         )
         for name, stage in report.stages()

@@ -43,6 +43,7 @@ def summarize(report: EngineReport, model: str = "", limit: float = SAME_ROBOT) 
         ]
     lines += [f"{r.refused}." for r in report.as_read.readings if r.refused is not None]
     lines += [_use(reading) for reading in report.as_read.readings]
+    lines.append(_mimic(report))
     return tuple(line for line in lines if line)
 
 
@@ -136,7 +137,7 @@ def _deviant(report: EngineReport, reading: Reading) -> str:
     if reading.refused is not None:
         return clause
     worst = report.as_read.matrix.between(REFERENCE, reading.key)
-    name = report.arm.joints[worst.joint].name
+    name = report.arm.joint_names[worst.joint]
     return f"{clause}: {_force(worst.torque)} at joint {worst.joint + 1} ({name})"
 
 
@@ -172,6 +173,18 @@ def _use(reading: Reading) -> str:
         notes.append(f"keeps other {joined([_LOST[kind] for kind in other])} than the file")
     notes += [words for kind, words in _NOTES.items() if kinds[kind]]
     return f"{reading.title} {joined(notes)}." if notes else ""
+
+
+def _mimic(report: EngineReport) -> str:
+    """How joints that mimic others take part."""
+    count = len(report.mimic)
+    if not count:
+        return ""
+    joints = "1 joint mimics another" if count == 1 else f"{count} joints mimic others"
+    return (
+        f"{joints}: every engine is asked for all {count + report.arm.n} joints, and its answers "
+        "are taken to the coordinates by the same constraint, M = Gᵀ M_joints G."
+    )
 
 
 def _alike(reading: Reading, kind: Kind) -> list[ImportDifference]:

@@ -14,7 +14,7 @@ from typing import Annotated, Any, TypedDict
 import msgspec
 import numpy as np
 
-from .._robot.serial_arm import SerialArm
+from .._robot.robot_tree import ArmOrTree
 from .provenance import Provenance, inputs_of
 
 __all__ = ["Input", "Report", "Tool", "head", "json_text"]
@@ -56,7 +56,7 @@ class Head(TypedDict):
 
 
 def head(
-    arms: Iterable[SerialArm],
+    arms: Iterable[ArmOrTree],
     command: str,
     *,
     seed: int | None = None,

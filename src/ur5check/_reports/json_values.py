@@ -10,7 +10,7 @@ from msgspec import Meta
 
 from .._comparison.alignment import Alignment
 from .._robot.inertia import Inertia
-from .._robot.serial_arm import SerialArm
+from .._robot.robot_tree import ArmOrTree
 from .._robot.transforms import Transform
 
 __all__ = [
@@ -111,8 +111,8 @@ def state(values: dict[str, list[float]]) -> State:
     return State(values["q"], values["qd"], values["qdd"])
 
 
-def model_value(arm: SerialArm) -> Model:
-    """What an arm is called, and where it came from."""
+def model_value(arm: ArmOrTree) -> Model:
+    """What an arm or a robot is called, and where it came from."""
     return msgspec.convert(
         {
             "name": arm.name,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from .._version import __version__
 
 if TYPE_CHECKING:
-    from .._robot.serial_arm import SerialArm
+    from .._robot.robot_tree import ArmOrTree
 
 __all__ = ["Provenance", "inputs_of", "library_versions"]
 
@@ -40,7 +40,7 @@ def library_versions() -> dict[str, str]:
     return versions
 
 
-def inputs_of(arms: Iterable[SerialArm]) -> tuple[tuple[str, str], ...]:
+def inputs_of(arms: Iterable[ArmOrTree]) -> tuple[tuple[str, str], ...]:
     """(name, SHA-256) of every file that the arms were read from, each once, in reading order."""
     return tuple(dict.fromkeys(pair for arm in arms for pair in arm.source.inputs))
 

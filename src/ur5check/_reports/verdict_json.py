@@ -80,7 +80,10 @@ class ArmValue(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class FileVerdict(msgspec.Struct, frozen=True, kw_only=True):
-    """The verdict on one file."""
+    """The verdict on one file.
+
+    engines: whose import of it was audited
+    """
 
     model: str
     file: str
@@ -90,6 +93,7 @@ class FileVerdict(msgspec.Struct, frozen=True, kw_only=True):
     arm_note: str | None
     laws_hold: bool | None
     laws_note: str | None
+    engines: list[str]
     findings: list[FindingValue]
     accepted: list[AcceptedFinding]
     stale: list[StaleAcceptance]
@@ -117,6 +121,7 @@ def file_verdict(v: Verdict) -> FileVerdict:
         arm_note=j.arm_note or None,
         laws_hold=None if j.laws is None else j.laws_hold,
         laws_note=j.laws_note or None,
+        engines=list(j.engines),
         findings=[finding_value(finding) for finding in s.open],
         accepted=_accepted(s),
         stale=_stale(s),

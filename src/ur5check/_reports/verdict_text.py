@@ -141,6 +141,9 @@ def _facts(j: Judgement, s: Sorted) -> list[str]:
         facts.append(f"computed   {agree}")
     elif j.laws_note and j.arm is not None:
         facts.append(f"computed   not checked: {j.laws_note}")
+    if j.engines:
+        found = sum(f.rule.startswith("ENG") for f in j.findings)
+        facts.append(f"engines    {', '.join(j.engines)}: {found or 'no'} findings")
     for finding, acceptance in s.accepted:
         facts.append(f"accepted   {finding.rule} {finding.subject}: {acceptance.reason}")
     for stale in s.stale:

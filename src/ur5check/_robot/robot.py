@@ -180,6 +180,7 @@ class Robot:
     kind : "urdf", "xacro", "mjcf", "sdf" or "dh";  file : as the user gave it
     gravity : in the root's frame, shape (3,) [m/s²]
     inputs : (name, SHA-256) of every file that was read
+    urdf : the URDF's text, after xacro expansion, for engines that bring their own parser
     """
 
     name: str
@@ -189,6 +190,7 @@ class Robot:
     file: str
     gravity: Array
     inputs: tuple[tuple[str, str], ...] = ()
+    urdf: str | None = None
 
     @cached_property
     def link(self) -> Mapping[str, RobotLink]:

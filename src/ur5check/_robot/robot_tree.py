@@ -6,9 +6,10 @@ A joint that mimics another has no coordinate of its own: it follows that of the
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +18,10 @@ from .._arguments import instance
 from .._errors import ModelError
 from .inertia import Inertia
 from .robot import Robot, RobotJoint, RobotLink
-from .serial_arm import Joint, Link
+from .serial_arm import Joint, Link, SerialArm, Source
 from .transforms import Array, Transform, frozen
 
-__all__ = ["RobotTree", "TreeLink"]
+__all__ = ["ArmOrTree", "RobotTree", "TreeLink", "tree_links"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +58,8 @@ class RobotTree:
         In the root's frame [m/s²].
     placements : mapping from a link's name to (index, Transform)
         The moving link that a link of the file belongs to (-1: the root), and its pose in it.
+    source : Source
+        Where it came from; its tip is the last moving link.
 
     Raises
     ------
@@ -76,6 +79,7 @@ class RobotTree:
     joint_names: tuple[str, ...]
     gravity: Array
     placements: Mapping[str, tuple[int, Transform]] = field(default_factory=dict)
+    source: Source = field(default_factory=Source)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "gravity", frozen(self.gravity, (3,), "gravity"))
@@ -126,12 +130,53 @@ class RobotTree:
                     parent, origin, _joint(joint), link, names.index(source), multiplier, offset
                 )
             )
-        return cls(robot.name, tuple(links), names, robot.gravity, placements)
+        read = Source(
+            robot.kind, robot.inputs, robot.urdf, base=_root(robot), tip=links[-1].link.name
+        )
+        return cls(robot.name, tuple(links), names, robot.gravity, placements, read)
 
     @property
     def n(self) -> int:
         """Number of coordinates."""
         return len(self.joint_names)
+
+    @property
+    def label(self) -> str:
+        """What reports call the robot."""
+        return self.name
+
+    @cached_property
+    def followers(self) -> tuple[str, ...]:
+        """Names of the joints that mimic another: those without a coordinate of their own."""
+        own = frozenset(self.joint_names)
+        return tuple(link.joint.name for link in self.links if link.joint.name not in own)
+
+    @cached_property
+    def unconstrained(self) -> RobotTree:
+        """The same tree with a coordinate for each of its N joints, in the order of its links."""
+        if not self.followers:
+            return self
+        links = tuple(
+            replace(link, coordinate=i, multiplier=1.0, offset=0.0)
+            for i, link in enumerate(self.links)
+        )
+        return replace(self, links=links, joint_names=tuple(link.joint.name for link in links))
+
+    def with_inertias(self, inertias: Sequence[Inertia]) -> RobotTree:
+        """The same tree with other inertias, one a moving link, each in its frame i."""
+        links = (
+            replace(link, link=replace(link.link, inertia=inertia))
+            for link, inertia in zip(self.links, inertias, strict=True)
+        )
+        return replace(self, links=tuple(links), source=self.source.as_value())
+
+    def with_armature(self, armature: Sequence[float] | Array) -> RobotTree:
+        """The same tree with other motor inertias, one a joint, shape (N,)."""
+        links = (
+            replace(link, joint=replace(link.joint, armature=float(value)))
+            for link, value in zip(self.links, armature, strict=True)
+        )
+        return replace(self, links=tuple(links), source=self.source.as_value())
 
     def parameters(self) -> Array:
         """π, shape (10 N,): `Inertia.parameters()` of each moving link, in its frame."""
@@ -146,6 +191,20 @@ class RobotTree:
         """Velocities or accelerations of the N joints from those of the n coordinates."""
         multipliers = np.array([link.multiplier for link in self.links])
         return np.asarray(multipliers[:, None] * qd[[link.coordinate for link in self.links]])
+
+
+#: Whatever has moving links over a parent list.
+ArmOrTree: TypeAlias = SerialArm | RobotTree
+
+
+def tree_links(model: ArmOrTree) -> tuple[TreeLink, ...]:
+    """The moving links of a tree; an arm is the tree in which each hangs on the one before."""
+    if isinstance(model, RobotTree):
+        return model.links
+    return tuple(
+        TreeLink(i - 1, Transform.identity() if i else model.base, joint, link, i)
+        for i, (joint, link) in enumerate(zip(model.joints, model.links, strict=True))
+    )
 
 
 def _root(robot: Robot) -> str:

@@ -1,11 +1,14 @@
 """Rules of family ENG: what a physics engine imports from a model, and what it computes from it.
 
 The checks are the import audit of `_engines.audit`; a rule's name is the kind of difference there.
+The examples in URDF or DH are those that an installed engine misreads or refuses today; a rule
+whose example is in words has caught engines in earlier versions, or adapters.
 """
 
 from __future__ import annotations
 
 from .._finding import Severity
+from .examples import joint, link, robot
 from .rule import Rule
 
 __all__ = ["RULES"]
@@ -23,6 +26,7 @@ def _rule(
     fix: str,
     bad: str,
     good: str,
+    example: str = "",
 ) -> Rule:
     return Rule(
         id=f"ENG{number}",
@@ -35,8 +39,36 @@ def _rule(
         good=good,
         fix=fix,
         report=_REPORT,
-        example="",
+        example=example,
     )
+
+
+#: A frame behind a fixed joint at the end of the arm.
+_FIXED = joint("tool_joint", "fixed", "arm", "tool", axis="", limit="")
+_MASSLESS = (
+    '<inertial><mass value="0"/>'
+    '<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>'
+)
+_BOX = '<collision><geometry><box size="0.3 0.3 0.5"/></geometry></collision>'
+_TRANSMISSION = (
+    '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'
+    '<joint name="j"/><actuator name="m"/></transmission>'
+)
+_GEARED = """schema = "ur5check.dh/1"
+name = "geared"
+title = "one geared joint"
+convention = "standard"
+
+[[joint]]
+joint = "j"
+link = "arm"
+d = 0.1
+a = 0.3
+alpha = 0.0
+mass = 2.0
+com = [-0.1, 0.0, 0.0]
+inertia = { ixx = 0.002, iyy = 0.008, izz = 0.008 }
+"""
 
 
 RULES: tuple[Rule, ...] = (
@@ -47,8 +79,9 @@ RULES: tuple[Rule, ...] = (
         "every engine reads the model",
         "the model cannot be used with this engine",
         "correct what the engine's message names",
-        "MuJoCo: a tensor that violates the triangle inequality",
-        "a tensor that a body can have",
+        robot(joint(), link(izz="0.02")),
+        robot(),
+        ".urdf",
     ),
     _rule(
         102,
@@ -61,14 +94,26 @@ RULES: tuple[Rule, ...] = (
         "torques equal to rounding",
     ),
     _rule(
+        103,
+        "engines-not-asked",
+        "note",
+        "the file describes a robot that engines can be given",
+        "nothing is known of what engines make of the file",
+        "correct what the other findings name",
+        robot(joint(kind="floating"), link()),
+        robot(),
+        ".urdf",
+    ),
+    _rule(
         201,
         "default-inertia",
         "error",
         "a link without <inertial> has no mass in the engine",
         "the engine simulates a heavier arm: DART adds 1 kg per frame without <inertial>",
         "write an <inertial> of mass zero",
-        '<link name="tool0"/> in DART: 1 kg',
-        '<link name="tool0"/> in Pinocchio: no mass',
+        robot(joint(), link(), _FIXED, link("tool", "")),
+        robot(joint(), link(), _FIXED, link("tool", _MASSLESS)),
+        ".urdf",
     ),
     _rule(
         202,
@@ -77,8 +122,9 @@ RULES: tuple[Rule, ...] = (
         "a link without <inertial> gets no mass from its shape",
         "the engine simulates a heavier arm: MuJoCo fills collision shapes with water",
         'set <mujoco><compiler inertiafromgeom="false"/></mujoco>, or write an <inertial>',
-        "a link with a collision box and no <inertial> in MuJoCo: its volume times 1000 kg/m³",
-        "the same link with an <inertial> of mass zero",
+        robot(joint(), link(), _FIXED, link("tool", "", _BOX)),
+        robot(joint(), link(), _FIXED, link("tool", shapes=_BOX)),
+        ".urdf",
     ),
     _rule(
         203,
@@ -127,8 +173,9 @@ RULES: tuple[Rule, ...] = (
         "a link has the inertia tensor of the file",
         "inertial torques change: Drake replaces a tensor that no body can have by a sphere's",
         "correct the tensor: print more digits, or raise the smallest moments",
-        "principal moments 0.001, 0.002, 0.0030001 kg m² in Drake",
-        "principal moments 0.001, 0.002, 0.003 kg m²",
+        robot(joint(), link(izz="0.02")),
+        robot(),
+        ".urdf",
     ),
     _rule(
         208,
@@ -137,8 +184,9 @@ RULES: tuple[Rule, ...] = (
         "a joint has the motor inertia of the model",
         "inertial torques of geared joints change",
         "add the motor inertia to the engine's mass matrix, or set it in the engine",
-        "armature 0.25 kg m² in the model, 0 in the engine",
-        "0.25 kg m² in both",
+        _GEARED + "armature = 0.25\n",
+        _GEARED,
+        ".toml",
     ),
     _rule(
         209,
@@ -149,6 +197,16 @@ RULES: tuple[Rule, ...] = (
         "correct the joint's <axis> and <origin>",
         "axis (0, 0, 1) in the file, (0, 0, −1) in the engine",
         "(0, 0, 1) in both",
+    ),
+    _rule(
+        210,
+        "joint-moved",
+        "error",
+        "a joint is where the file puts it",
+        "every torque below the joint changes with the lever arm",
+        "correct the joint's <origin>, or find out which of the engine's settings moves it",
+        "origin at z = 0.3 m in the file, at 0.2 m in the engine",
+        "the same point in both",
     ),
     _rule(
         301,
@@ -164,11 +222,12 @@ RULES: tuple[Rule, ...] = (
         302,
         "order",
         "warning",
-        "the engine has the joints in the order of the chain",
+        "the engine has the joints in the order of the file's tree, parents first",
         "torques are sent to the wrong joints where arrays are copied",
         "map joints by name",
-        "joints pan, lift, roll in the file, and lift, pan, roll in the engine",
-        "the same order, or a map by name",
+        robot(joint(), link(), joint("a", child="other"), link("other")),
+        robot(),
+        ".urdf",
     ),
     _rule(
         303,
@@ -187,8 +246,9 @@ RULES: tuple[Rule, ...] = (
         "position limits are imported",
         "a simulated joint moves where the real one meets its stop",
         "set the limits in the engine",
-        "limits −2 and 2.5 rad in the file, none in the engine",
-        "the same limits in both",
+        robot(joint(kind="continuous"), link()),
+        robot(),
+        ".urdf",
     ),
     _rule(
         305,
@@ -197,8 +257,9 @@ RULES: tuple[Rule, ...] = (
         "velocity limits are imported",
         "the engine does not report or limit a joint that is too fast",
         "limit velocities in the controller",
-        "3 rad/s in the file, none in MuJoCo",
-        "the same limit in both",
+        robot(),
+        robot(joint(kind="continuous", limit=""), link()),
+        ".urdf",
     ),
     _rule(
         306,
@@ -207,8 +268,9 @@ RULES: tuple[Rule, ...] = (
         "effort limits are imported",
         "a simulated motor gives more torque than the real one",
         "add what the engine reads limits from, in Drake a <transmission> for each joint",
-        "150 N m in the file without <transmission>, none in Drake",
-        "150 N m in both",
+        robot(),
+        robot(joint(), link(), _TRANSMISSION),
+        ".urdf",
     ),
     _rule(
         307,
@@ -227,7 +289,8 @@ RULES: tuple[Rule, ...] = (
         "joint friction is imported",
         "simulated joints move under torques that real ones withstand",
         "add the friction as a torque of your own",
-        "0.2 N m in the file, none in Drake",
-        "0.2 N m in both",
+        robot(joint(more='<dynamics friction="0.2"/>'), link()),
+        robot(),
+        ".urdf",
     ),
 )

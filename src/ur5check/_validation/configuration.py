@@ -3,6 +3,7 @@
     fail-level = "error"                # or "warning", "note"
     ignore = ["GEO102"]                 # rules or families that are not asked
     select = ["INE", "JNT"]             # if given, only these are
+    engines = ["mujoco", "drake"]       # whose imports are audited; ["all"]: all that are installed
 
     [per-file]
     "urdf/old_*.urdf" = ["JNT103"]      # more to ignore in files of these names
@@ -77,6 +78,7 @@ class Configuration:
     fail_level: Severity = "error"
     select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
+    engines: tuple[str, ...] = ()
     per_file: tuple[tuple[str, tuple[str, ...]], ...] = ()
     accepted: tuple[Acceptance, ...] = ()
 
@@ -86,11 +88,13 @@ class Configuration:
         file: str,
         *,
         pair: bool = False,
+        engines: bool = False,
         today: datetime.date | None = None,
     ) -> Sorted:
         """Which findings count, which are accepted, and which acceptances are stale.
 
         file : that they are about;  pair : whether they are about two models (family CMP)
+        engines : whether engines were asked (family ENG)
         """
         day = today or datetime.date.today()
         ignored = (
@@ -118,7 +122,10 @@ class Configuration:
         stale = [
             a
             for a in self.accepted
-            if a not in used and _matches(file, a.file) and a.rule.startswith("CMP") == pair
+            if a not in used
+            and _matches(file, a.file)
+            and a.rule.startswith("CMP") == pair
+            and (engines or not a.rule.startswith("ENG"))
         ]
         return Sorted(tuple(kept), tuple(accepted), tuple(stale))
 
@@ -150,7 +157,7 @@ def read_configuration(file: Path, label: str | None = None) -> Configuration:
         raise UsageError(f"{file}: {error}") from None
     if file.name == "pyproject.toml":
         table = table.get("tool", {}).get("ur5check", {})
-    known = {"fail-level", "select", "ignore", "per-file", "accepted"}
+    known = {"fail-level", "select", "ignore", "engines", "per-file", "accepted"}
     for key in table.keys() - known:
         raise UsageError(f"{file}: {key!r} is no setting; use {', '.join(sorted(known))}")
     level = table.get("fail-level", "error")
@@ -165,6 +172,7 @@ def read_configuration(file: Path, label: str | None = None) -> Configuration:
         cast("Severity", level),
         _words(file, "select", table.get("select", [])),
         _words(file, "ignore", table.get("ignore", [])),
+        _engines(file, table.get("engines", [])),
         tuple(
             (name, _words(file, f"per-file {name!r}", rules)) for name, rules in per_file.items()
         ),
@@ -180,6 +188,16 @@ def _words(file: Path, key: str, value: object) -> tuple[str, ...]:
     for word in value:
         if not any(rule.startswith(word) for rule in all_rules()):
             raise UsageError(f"{file}: {key} names {word!r}, which is no rule (ur5check rules)")
+    return tuple(value)
+
+
+def _engines(file: Path, value: object) -> tuple[str, ...]:
+    from .._engines.registry import REGISTRY
+    from .engine_judgement import ALL_ENGINES
+
+    known = (ALL_ENGINES, *REGISTRY)
+    if not isinstance(value, list) or not all(name in known for name in value):
+        raise UsageError(f"{file}: engines takes a list of {', '.join(known)}")
     return tuple(value)
 
 

@@ -6,14 +6,14 @@ they test the computation (ours and the reference engine's), never the model.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 from .._arguments import integer, number, text_map
 from .._errors import EngineError, ModelError, Ur5checkError, UsageError
-from .._finding import SEVERITIES, Finding, Severity
+from .._finding import SEVERITIES, Finding, Severity, worst_first
 from .._io.meshes.mesh_reader import MeshReader
 from .._io.robot_arm import arm_of_robot
 from .._io.robot_loading import RobotReading, read_robot
@@ -22,6 +22,7 @@ from .._robot.serial_arm import SerialArm
 from .._robot.states import random_states
 from .._rules.check import check_rules
 from .._rules.rule_subject import RuleSubject
+from .engine_judgement import engines_asked, import_findings
 from .validation import ModelValidation, validate_arm
 
 __all__ = ["Judgement", "Level", "judge"]
@@ -45,6 +46,7 @@ class Judgement:
     inputs : (name, SHA-256) of the files that were read, meshes too
     robot : None where the file describes none;  arm : None where there is none, `arm_note` says why
     laws : of the computation on `arm`; None where it was not checked, `laws_note` says why
+    engines : keys of those whose import of the file was audited
     """
 
     model: str
@@ -58,6 +60,7 @@ class Judgement:
     laws_note: str
     samples: int
     seed: int
+    engines: tuple[str, ...] = ()
 
     def at_least(self, level: Level) -> tuple[Finding, ...]:
         """Findings of this severity and worse."""
@@ -93,6 +96,7 @@ def judge(
     payload: float = 0.0,
     expected_mass: float | None = None,
     meshes: bool = True,
+    engines: Sequence[str] = (),
 ) -> Judgement:
     """Read a model's file whole, apply every rule, and check the computation of its arm.
 
@@ -105,6 +109,8 @@ def judge(
     samples, seed : states at which the computation is checked
     payload : mass at the tip [kg];  expected_mass : of the whole robot [kg]
     meshes : whether links are compared with their meshes
+    engines : whose import of the whole robot is audited (family ENG): keys, or "all" for all that
+        are installed
 
     Returns
     -------
@@ -113,6 +119,7 @@ def judge(
     Raises
     ------
     UsageError : a name that means nothing, a file that is not there, arguments of a wrong type.
+    EngineError : an engine that was named and is not installed.
 
     Examples
     --------
@@ -131,6 +138,7 @@ def judge(
         raise UsageError(f"payload must be zero or more, not {payload}")
     if expected_mass is not None:
         number("expected_mass", expected_mass, positive=True)
+    asked = engines_asked(engines)
     reading = read_robot(model, packages=packages, arguments=arguments, base=base, tip=tip)
     if reading.robot is None:
         none = "the file describes no robot"
@@ -146,6 +154,7 @@ def judge(
             none,
             samples,
             seed,
+            asked,
         )
     arm, arm_note = _arm(reading, hold)
     reader = MeshReader(reading.folder, reading.packages) if meshes else None
@@ -153,6 +162,9 @@ def judge(
         reading.robot, reader, arm=arm, payload=payload, expected_mass=expected_mass
     )
     findings = tuple(check_rules(subject, reading.findings))
+    if _depth(reading.robot) <= _DEEPEST:
+        imports = import_findings(reading.robot, asked, findings, seed)
+        findings = tuple(worst_first([*findings, *imports]))
     laws, laws_note = _laws(reading.robot, arm, findings, samples, seed)
     return Judgement(
         str(model),
@@ -166,6 +178,7 @@ def judge(
         laws_note or arm_note,
         samples,
         seed,
+        asked,
     )
 
 
@@ -175,9 +188,7 @@ def _arm(reading: RobotReading, hold: Mapping[str, float] | None) -> tuple[Seria
             raise UsageError(f"{reading.file} has no joint beside its arm that could be held")
         return reading.arm, ""
     try:
-        arm = arm_of_robot(
-            reading.robot, base=reading.base, tip=reading.tip, hold=hold, urdf=reading.text
-        )
+        arm = arm_of_robot(reading.robot, base=reading.base, tip=reading.tip, hold=hold)
     except ModelError as error:
         return None, f"{error.element or 'the robot'} {error.problem}; {error.fix}"
     return arm, ""

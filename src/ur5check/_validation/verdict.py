@@ -41,6 +41,7 @@ class Request:
     payload: float = 0.0
     expected_mass: float | None = None
     meshes: bool = True
+    engines: tuple[str, ...] = ()
 
     def judge(self) -> Judgement:
         """Raises UsageError as `judge` does."""
@@ -56,6 +57,7 @@ class Request:
             payload=self.payload,
             expected_mass=self.expected_mass,
             meshes=self.meshes,
+            engines=self.engines,
         )
 
 
@@ -113,7 +115,8 @@ def verdicts(
 
 
 def _verdict(j: Judgement, configuration: Configuration, fail_level: Severity) -> Verdict:
-    return Verdict(j, configuration.sort(j.findings, j.file), fail_level)
+    found = configuration.sort(j.findings, j.file, engines=bool(j.engines))
+    return Verdict(j, found, fail_level)
 
 
 @dataclass(frozen=True, eq=False)

@@ -66,6 +66,16 @@ def test_a_known_issue_explains_all_kinds_of_its_engine(arm):
     assert found.known_issue.id == "drake-impossible-tensor"
 
 
+def test_a_kind_of_limit_is_one_finding_for_all_joints(arm, plant):
+    found = {one.rule: one for one in findings(arm, plant("LimitsLost"))}
+    assert found.keys() == {IDS["position-limit"], IDS["velocity-limit"], IDS["effort-limit"]}
+    velocity = found[IDS["velocity-limit"]]
+    lines = arm.source.urdf.splitlines()
+    assert ["pan" in lines[p.line - 1] for p in velocity.places] == [True, False]
+    assert "lift" in lines[velocity.places[1].line - 1]
+    assert velocity.subject == "2 joints"
+
+
 def test_limits_are_notes_and_another_order_is_a_warning(arm, plant):
     assert {one.severity for one in findings(arm, plant("LimitsLost"))} == {"note"}
     (order,) = findings(arm, plant("OrderOfItsOwn"))

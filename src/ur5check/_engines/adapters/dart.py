@@ -9,7 +9,6 @@ DART adds damping to its articulated inertia, and what is compared is the rigid-
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -18,7 +17,8 @@ from numpy.typing import ArrayLike
 
 from ..._errors import EngineError
 from ..._robot.inertia import Inertia
-from ..._robot.serial_arm import Joint, Limits, Link, SerialArm
+from ..._robot.robot_tree import ArmOrTree, tree_links
+from ..._robot.serial_arm import Joint, Limits, Link
 from ..._robot.transforms import Array, Transform
 from ..captured_warnings import captured_output
 from ..each_state import each_state
@@ -37,9 +37,10 @@ _NO_EXTERNAL_FORCES = (False, False, False)  # nor damping, nor springs
 
 
 class DartEngine:
-    """DART's algorithms on one arm; satisfies `engine.Stepper`.
+    """DART's algorithms on one arm or robot; satisfies `engine.Stepper`.
 
-    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : an arm, or a tree without mimic joints;  gravity : in its base frame [m/s²], its own when
+        None.
 
     Raises EngineError if DART refuses the model.
     """
@@ -48,10 +49,10 @@ class DartEngine:
     #: as `World.step` does it: velocities first, then positions with the new ones
     integrators: ClassVar[dict[str, int]] = {"semi-implicit": 1}
 
-    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+    def __init__(self, arm: ArmOrTree, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
         self.version = str(dartpy.__version__)
-        self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
+        self.route = "URDF text, own parser" if arm.source.urdf else type(arm).__name__
         with captured_output() as lines:
             skeleton = _built(arm) if arm.source.urdf is None else _parsed(arm)
         if skeleton is None:
@@ -63,16 +64,15 @@ class DartEngine:
         self._order = [dof.getIndexInSkeleton() for dof in self._dofs]
         # DART starts a joint in the middle of its range where that leaves zero out.
         skeleton.setPositions(np.zeros(arm.n))
+        base = None if self.arm.source.urdf is None else skeleton.getBodyNode(arm.source.base)
+        self._T_base_world = Transform.identity() if base is None else _pose(base).inverse()
         self._joints = tuple(self._imported_joint(k) for k in range(skeleton.getNumDofs()))
         for dof in self._dofs:
             dof.setDampingCoefficient(0.0)
             dof.setCoulombFriction(0.0)
             dof.setSpringStiffness(0.0)
-        base = None if self.route == "SerialArm" else skeleton.getBodyNode(arm.source.base)
-        self._T_base_world = Transform.identity() if base is None else _pose(base).inverse()
         R = self._T_base_world.R
         self._gravity_read = R @ skeleton.getGravity()
-        self._joints = tuple(replace(joint, axis=R @ joint.axis) for joint in self._joints)
         g = np.asarray(arm.gravity if gravity is None else gravity, dtype=np.float64)
         skeleton.setGravity(R.T @ g)
 
@@ -153,6 +153,7 @@ class DartEngine:
         nodes = [self.skeleton.getBodyNode(k) for k in range(self.skeleton.getNumBodyNodes())]
         return ImportedModel(
             self._joints,
+            np.array([self._joint_frame(joint.name).p for joint in self._joints]),
             tuple(self._imported_body(node) for node in nodes),
             self._gravity_read,
             self._tool().matrix(),
@@ -164,11 +165,9 @@ class DartEngine:
         dof = self.skeleton.getDof(k)
         joint = self.skeleton.getJoint(dof.getName())
         sliding = joint.getType() == "PrismaticJoint"
-        child = joint.getChildBodyNode()
-        R = _pose(child).R @ joint.getTransformFromChildBodyNode().rotation()
         return Joint(
             str(dof.getName()),
-            R @ joint.getAxis(),
+            self._joint_frame(joint.getName()).R @ joint.getAxis(),
             "prismatic" if sliding else "revolute",
             Limits(
                 _finite(dof.getPositionLowerLimit()),
@@ -180,6 +179,13 @@ class DartEngine:
             float(dof.getDampingCoefficient()),
             float(dof.getCoulombFriction()),
         )
+
+    def _joint_frame(self, name: str) -> Transform:
+        """Pose of a joint's frame, which it does not move, in the base frame."""
+        joint = self.skeleton.getJoint(name)
+        seen = joint.getTransformFromChildBodyNode()
+        child = self._T_base_world @ _pose(joint.getChildBodyNode())
+        return child @ Transform(seen.rotation(), seen.translation())
 
     def _imported_body(self, node: Any) -> ImportedBody:
         own = node.getInertia()
@@ -202,9 +208,9 @@ class DartEngine:
         return dof
 
     def _tool(self) -> Transform:
-        if self.route == "SerialArm":
+        if self.arm.source.urdf is None:
             last = self.skeleton.getBodyNode(self.skeleton.getNumBodyNodes() - 1)
-            return _pose(last) @ self.arm.links[-1].link_tip_frame
+            return _pose(last) @ tree_links(self.arm)[-1].link.link_tip_frame
         return self._T_base_world @ _pose(self.skeleton.getBodyNode(self.arm.source.tip))
 
     def _place(self, q: Array, qd: Array) -> None:
@@ -232,7 +238,7 @@ def _finite(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-def _parsed(arm: SerialArm) -> Any:
+def _parsed(arm: ArmOrTree) -> Any:
     loader = dartpy.utils.DartLoader()
     options = dartpy.utils.DartLoader.Options()
     # By default DART lets the root float.
@@ -241,13 +247,15 @@ def _parsed(arm: SerialArm) -> Any:
     return loader.parseSkeletonString(text_for_engines(arm), dartpy.common.Uri(""))
 
 
-def _built(arm: SerialArm) -> Any:
+def _built(arm: ArmOrTree) -> Any:
     """The arm passed joint by joint."""
     skeleton = dartpy.dynamics.Skeleton(arm.name)
-    node, placement = None, arm.base
-    for joint, link in zip(arm.joints, arm.links, strict=True):
-        node = _add(skeleton, node, joint, link, placement)
-        placement = link.link_tip_frame
+    nodes: dict[int, Any] = {-1: None}
+    tips = {-1: Transform.identity()}
+    for i, each in enumerate(tree_links(arm)):
+        placement = tips[each.parent] @ each.origin
+        nodes[i] = _add(skeleton, nodes[each.parent], each.joint, each.link, placement)
+        tips[i] = each.link.link_tip_frame
     return skeleton
 
 

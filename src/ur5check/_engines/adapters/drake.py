@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike
 
 from ..._errors import EngineError
 from ..._robot.inertia import Inertia
-from ..._robot.serial_arm import Joint, Limits, SerialArm
+from ..._robot.robot_tree import ArmOrTree, tree_links
+from ..._robot.serial_arm import Joint, Limits
 from ..._robot.transforms import Array, Transform
 from ..captured_warnings import captured_log
 from ..each_state import each_state
@@ -36,19 +37,20 @@ tree = lazy_import("pydrake.multibody.tree")
 
 
 class DrakeEngine:
-    """Drake's algorithms on one arm; satisfies `engine.Engine`.
+    """Drake's algorithms on one arm or robot; satisfies `engine.Engine`.
 
-    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : an arm, or a tree without mimic joints;  gravity : in its base frame [m/s²], its own when
+        None.
 
     Raises EngineError if Drake refuses the model.
     """
 
     name = "Drake"
 
-    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+    def __init__(self, arm: ArmOrTree, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
         self.version = metadata.version("drake")
-        self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
+        self.route = "URDF text, own parser" if arm.source.urdf else type(arm).__name__
         self.plant = plants.MultibodyPlant(0.0)
         give = _build if arm.source.urdf is None else _parse
         with captured_log("drake") as lines:
@@ -144,6 +146,7 @@ class DrakeEngine:
         bodies = [self.plant.get_body(tree.BodyIndex(k)) for k in range(1, self.plant.num_bodies())]
         return ImportedModel(
             tuple(self._imported_joint(i) for i in np.argsort(self._order)),
+            np.array([self._joint_frame(self._joints[i]).p for i in np.argsort(self._order)]),
             tuple(self._imported_body(body, above) for body in bodies),
             self._gravity_read,
             self._tool().matrix(),
@@ -155,7 +158,6 @@ class DrakeEngine:
         joint = self._joints[i]
         sliding = isinstance(joint, tree.PrismaticJoint)
         axis = joint.translation_axis() if sliding else joint.revolute_axis()
-        frame = joint.frame_on_parent().CalcPoseInWorld(self.context)
         motors = [
             motor
             for k in self.plant.GetJointActuatorIndices()
@@ -163,7 +165,7 @@ class DrakeEngine:
         ]
         return Joint(
             str(joint.name()),
-            self._T_base_world.R @ frame.rotation().matrix() @ axis,
+            self._joint_frame(joint).R @ axis,
             "prismatic" if sliding else "revolute",
             Limits(
                 _finite(joint.position_lower_limit()),
@@ -175,6 +177,10 @@ class DrakeEngine:
             float(self._damping[i]),
             0.0,  # a plants.MultibodyPlant has no dry friction in its joints
         )
+
+    def _joint_frame(self, joint: Any) -> Transform:
+        frame = joint.frame_on_parent().CalcPoseInWorld(self.context)
+        return self._T_base_world @ _transform(frame)
 
     def _imported_body(self, body: Any, above: dict[int, Any]) -> ImportedBody:
         spatial = body.CalcSpatialInertiaInBodyFrame(self.context)
@@ -222,7 +228,7 @@ class DrakeEngine:
         return each_state(one, self.arm.n, (self.arm.n,), *arrays)
 
 
-def _parse(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
+def _parse(plant: Any, arm: ArmOrTree) -> tuple[Any, Any, Transform]:
     """Read the URDF; returns the base's and the tip's frames, and the tool's pose on the tip."""
     text = text_for_engines(arm)
     parsing.Parser(plant).AddModelsFromString(text, "urdf")
@@ -233,23 +239,28 @@ def _parse(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
     return (*frames, Transform.identity())
 
 
-def _build(plant: Any, arm: SerialArm) -> tuple[Any, Any, Transform]:
+def _build(plant: Any, arm: ArmOrTree) -> tuple[Any, Any, Transform]:
     """Pass the arm joint by joint; returns as `_parse` does."""
-    body, placement = plant.world_body(), arm.base
-    for joint, link in zip(arm.joints, arm.links, strict=True):
-        child = plant.AddRigidBody(
+    bodies, tips = {-1: plant.world_body()}, {-1: Transform.identity()}
+    links = tree_links(arm)
+    for i, each in enumerate(links):
+        joint, link, placement = each.joint, each.link, tips[each.parent] @ each.origin
+        bodies[i] = child = plant.AddRigidBody(
             link.name, _spatial(link.inertia.expressed_in(link.link_tip_frame))
         )
         start = plant.AddFrame(
-            tree.FixedOffsetFrame(f"{joint.name}_start", body.body_frame(), _rigid(placement))
+            tree.FixedOffsetFrame(
+                f"{joint.name}_start", bodies[each.parent].body_frame(), _rigid(placement)
+            )
         )
         kind = tree.PrismaticJoint if joint.kind == "prismatic" else tree.RevoluteJoint
         added = plant.AddJoint(kind(joint.name, start, child.body_frame(), joint.axis))
         if joint.armature:
             motor = plant.AddJointActuator(f"{joint.name}_motor", added)
             motor.set_default_rotor_inertia(joint.armature)
-        body, placement = child, link.link_tip_frame
-    return plant.world_frame(), body.body_frame(), placement
+        tips[i] = link.link_tip_frame
+    last = len(links) - 1
+    return plant.world_frame(), bodies[last].body_frame(), tips[last]
 
 
 def _spatial(inertia: Inertia) -> Any:

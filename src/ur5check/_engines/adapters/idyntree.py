@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike
 
 from ..._errors import EngineError
 from ..._robot.inertia import Inertia
-from ..._robot.serial_arm import STANDARD_GRAVITY, Joint, Limits, SerialArm
+from ..._robot.robot_tree import ArmOrTree, tree_links
+from ..._robot.serial_arm import STANDARD_GRAVITY, Joint, Limits
 from ..._robot.transforms import Array, Transform
 from ..captured_warnings import captured_output
 from ..each_state import each_state
@@ -34,19 +35,20 @@ idyn = lazy_import("idyntree.bindings", ignored=DeprecationWarning)
 
 
 class IDynTreeEngine:
-    """iDynTree's algorithms on one arm; satisfies `engine.Engine`.
+    """iDynTree's algorithms on one arm or robot; satisfies `engine.Engine`.
 
-    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : an arm, or a tree without mimic joints;  gravity : in its base frame [m/s²], its own when
+        None.
 
     Raises EngineError if iDynTree refuses the model.
     """
 
     name = "iDynTree"
 
-    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+    def __init__(self, arm: ArmOrTree, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
         self.version = metadata.version("idyntree")
-        self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
+        self.route = "URDF text, own parser" if arm.source.urdf else type(arm).__name__
         self._computing = idyn.KinDynComputations()
         with captured_output() as lines:
             self.model = _built(arm) if arm.source.urdf is None else _parsed(arm)
@@ -59,7 +61,7 @@ class IDynTreeEngine:
         self._order = [self.model.getJoint(k).getDOFsOffset() for k in self._ids]
         self._gravity = _vector((0.0, 0.0, 0.0))
         self._place(np.zeros(arm.n), np.zeros(arm.n))
-        base = arm.source.base if self.route != "SerialArm" else "base"
+        base = arm.source.base if self.arm.source.urdf is not None else "base"
         self._T_base_world = self._frame(base).inverse()
         # It has no gravity of its own: every call takes one as an argument.
         self._gravity_read = np.array(STANDARD_GRAVITY)
@@ -131,12 +133,10 @@ class IDynTreeEngine:
     def imported_model(self) -> ImportedModel:
         """The `Model`: massless links at the ends have become frames."""
         self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
-        moving = [k for k in range(self.model.getNrOfJoints()) if k in self._ids]
+        moving = sorted(self._ids, key=lambda k: self.model.getJoint(k).getDOFsOffset())
         return ImportedModel(
-            tuple(
-                self._imported_joint(k)
-                for k in sorted(moving, key=lambda k: self.model.getJoint(k).getDOFsOffset())
-            ),
+            tuple(self._imported_joint(k) for k in moving),
+            np.array([self._child_frame(k).p for k in moving]),
             tuple(self._imported_body(k) for k in range(self.model.getNrOfLinks())),
             self._gravity_read,
             self._tool().matrix(),
@@ -153,9 +153,7 @@ class IDynTreeEngine:
         direction = axis.getDirection()
         return Joint(
             str(self.model.getJointName(k)),
-            self._T_base_world.R
-            @ self._frame(self.model.getLinkName(child)).R
-            @ _numbers(direction),
+            self._child_frame(k).R @ _numbers(direction),
             "prismatic" if sliding else "revolute",
             Limits(
                 joint.getMinPosLimit(0) if joint.hasPosLimits() else None,
@@ -167,6 +165,11 @@ class IDynTreeEngine:
             float(joint.getDamping(0)),
             float(joint.getStaticFriction(0)),
         )
+
+    def _child_frame(self, k: int) -> Transform:
+        """Pose of the link that joint k moves, whose origin lies on the joint."""
+        child = self.model.getLinkName(self.model.getJoint(k).getSecondAttachedLink())
+        return self._T_base_world @ self._frame(child)
 
     def _imported_body(self, k: int) -> ImportedBody:
         own = self.model.getLink(k).getInertia()
@@ -204,9 +207,9 @@ class IDynTreeEngine:
         return Transform(T[:3, :3], T[:3, 3])
 
     def _tool(self) -> Transform:
-        if self.route == "SerialArm":
+        if self.arm.source.urdf is None:
             last = self._frame(_link_name(self.arm.n))
-            return last @ self.arm.links[-1].link_tip_frame
+            return last @ tree_links(self.arm)[-1].link.link_tip_frame
         return self._T_base_world @ self._frame(self.arm.source.tip)
 
     def _place(self, q: Array, qd: Array) -> None:
@@ -230,25 +233,26 @@ class IDynTreeEngine:
         return each_state(one, self.arm.n, (self.arm.n,), *arrays)
 
 
-def _parsed(arm: SerialArm) -> Any:
+def _parsed(arm: ArmOrTree) -> Any:
     loader = idyn.ModelLoader()
     return loader.model().copy() if loader.loadModelFromString(text_for_engines(arm)) else None
 
 
-def _built(arm: SerialArm) -> Any:
+def _built(arm: ArmOrTree) -> Any:
     """The arm passed joint by joint; its links are named by their numbers."""
     model = idyn.Model()
     model.addLink("base", _link(Inertia.zero()))
-    placement = arm.base
-    for i, (joint, link) in enumerate(zip(arm.joints, arm.links, strict=True), start=1):
+    tips = [Transform.identity()]
+    for i, each in enumerate(tree_links(arm), start=1):
+        joint, link, parent = each.joint, each.link, each.parent + 1
         model.addLink(_link_name(i), _link(link.inertia.expressed_in(link.link_tip_frame)))
         added = idyn.PrismaticJoint() if joint.kind == "prismatic" else idyn.RevoluteJoint()
-        added.setAttachedLinks(i - 1, i)
-        added.setRestTransform(_transform(placement))
+        added.setAttachedLinks(parent, i)
+        added.setRestTransform(_transform(tips[parent] @ each.origin))
         direction = idyn.Direction(*map(float, joint.axis))
-        added.setAxis(idyn.Axis(direction, idyn.Position.Zero()), i, i - 1)
+        added.setAxis(idyn.Axis(direction, idyn.Position.Zero()), i, parent)
         model.addJoint(joint.name, added)
-        placement = link.link_tip_frame
+        tips.append(link.link_tip_frame)
     model.setDefaultBaseLink(0)
     return model
 

@@ -20,7 +20,8 @@ from numpy.typing import ArrayLike
 
 from ..._errors import EngineError
 from ..._robot.inertia import Inertia
-from ..._robot.serial_arm import Joint, Limits, SerialArm
+from ..._robot.robot_tree import ArmOrTree, tree_links
+from ..._robot.serial_arm import Joint, Limits
 from ..._robot.transforms import Array, Transform
 from ..each_state import each_state
 from ..engine_entry import EngineEntry
@@ -39,9 +40,10 @@ _DISABLED = ("CONSTRAINT", "CONTACT", "SPRING", "DAMPER", "ACTUATION")
 
 
 class MuJoCoEngine:
-    """MuJoCo's algorithms on one arm; satisfies `engine.Stepper`.
+    """MuJoCo's algorithms on one arm or robot; satisfies `engine.Stepper`.
 
-    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : an arm, or a tree without mimic joints;  gravity : in its base frame [m/s²], its own when
+        None.
 
     Raises EngineError if MuJoCo refuses the model.
     """
@@ -50,9 +52,9 @@ class MuJoCoEngine:
     #: `euler` moves positions with the new velocities (semi-implicit)
     integrators: ClassVar[dict[str, int]] = {"euler": 1, "rk4": 4, "implicit": 1, "implicitfast": 1}
 
-    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+    def __init__(self, arm: ArmOrTree, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
-        self.route = "SerialArm" if arm.source.urdf is None else "URDF text, own parser"
+        self.route = "URDF text, own parser" if arm.source.urdf else type(arm).__name__
         self.version = str(mujoco.__version__)
         with _captured_warnings() as lines:
             self.model = _compiled(arm)
@@ -143,6 +145,7 @@ class MuJoCoEngine:
         self._place(np.zeros(self.arm.n), np.zeros(self.arm.n))
         return ImportedModel(
             tuple(self._imported_joint(k) for k in range(self.model.njnt)),
+            self.data.xanchor @ self._T_base_world.R.T + self._T_base_world.p,
             tuple(self._imported_body(b) for b in range(1, self.model.nbody)),
             self._gravity_read,
             (self._T_base_world @ self._site(_TOOL)).matrix(),
@@ -212,7 +215,7 @@ def _number(value: Any) -> float | None:
     return None if value is None else float(value)
 
 
-def _compiled(arm: SerialArm) -> Any:
+def _compiled(arm: ArmOrTree) -> Any:
     try:
         spec = _built(arm) if arm.source.urdf is None else _parsed(arm)
         return spec.compile()
@@ -221,7 +224,7 @@ def _compiled(arm: SerialArm) -> Any:
         raise EngineError(f"MuJoCo cannot take the model of {arm.name!r}: {reason}") from error
 
 
-def _parsed(arm: SerialArm) -> Any:
+def _parsed(arm: ArmOrTree) -> Any:
     spec = mujoco.MjSpec.from_string(text_for_engines(arm))
     for link, site in ((arm.source.base, _BASE), (arm.source.tip, _TOOL)):
         # The root link has become the world.
@@ -230,15 +233,17 @@ def _parsed(arm: SerialArm) -> Any:
     return spec
 
 
-def _built(arm: SerialArm) -> Any:
+def _built(arm: ArmOrTree) -> Any:
     """The arm passed joint by joint."""
     spec = mujoco.MjSpec()
-    body, placement = spec.worldbody, arm.base
-    body.add_site(name=_BASE)
-    for joint, link in zip(arm.joints, arm.links, strict=True):
+    bodies, tips = {-1: spec.worldbody}, {-1: Transform.identity()}
+    spec.worldbody.add_site(name=_BASE)
+    links = tree_links(arm)
+    for i, each in enumerate(links):
+        joint, link, placement = each.joint, each.link, tips[each.parent] @ each.origin
         here = link.inertia.expressed_in(link.link_tip_frame)
         tensor = here.tensor
-        body = body.add_body(
+        bodies[i] = body = bodies[each.parent].add_body(
             name=link.name,
             pos=placement.p,
             quat=_quaternion(placement.R),
@@ -254,8 +259,9 @@ def _built(arm: SerialArm) -> Any:
             axis=joint.axis,
             armature=joint.armature,
         )
-        placement = link.link_tip_frame
-    body.add_site(name=_TOOL, pos=placement.p, quat=_quaternion(placement.R))
+        tips[i] = link.link_tip_frame
+    tool = tips[len(links) - 1]
+    bodies[len(links) - 1].add_site(name=_TOOL, pos=tool.p, quat=_quaternion(tool.R))
     return spec
 
 

@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike
 
 from ..._errors import EngineError
 from ..._robot.inertia import Inertia, parameter_map
-from ..._robot.serial_arm import Joint, Limits, SerialArm
+from ..._robot.robot_tree import ArmOrTree, tree_links
+from ..._robot.serial_arm import Joint, Limits
 from ..._robot.transforms import Array, Transform
 from ..captured_warnings import captured_output
 from ..each_state import each_state
@@ -31,16 +32,17 @@ pin = lazy_import("pinocchio")
 
 
 class PinocchioEngine:
-    """Pinocchio's algorithms on one arm; satisfies `engine.ReferenceEngine`.
+    """Pinocchio's algorithms on one arm or robot; satisfies `engine.ReferenceEngine`.
 
-    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : an arm, or a tree without mimic joints;  gravity : in its base frame [m/s²], its own when
+        None.
 
     Raises EngineError if Pinocchio refuses the model, or reads a chain with other joints.
     """
 
     name = "Pinocchio"
 
-    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+    def __init__(self, arm: ArmOrTree, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
         self.version = str(pin.__version__)
         self.warnings: tuple[str, ...] = ()
@@ -53,7 +55,7 @@ class PinocchioEngine:
             self.route = "pin.Model"
             whole = arm.source.model
         else:
-            self.route = "SerialArm"
+            self.route = type(arm).__name__
             whole = _build(arm)
         self.model = _only_these_joints(whole, arm)
         self.data = self.model.createData()
@@ -182,6 +184,7 @@ class PinocchioEngine:
         ]
         return ImportedModel(
             tuple(self._imported_joint(joint) for joint in in_order),
+            np.array([self._pose(joint.id).p for joint in in_order]),
             tuple(bodies),
             self._gravity_read,
             self.forward_kinematics(np.zeros(self.arm.n)),
@@ -266,7 +269,7 @@ def _parse(urdf: str, name: str) -> Any:
         raise EngineError(f"Pinocchio cannot read the URDF of {name!r}: {error}") from error
 
 
-def _only_these_joints(model: Any, arm: SerialArm) -> Any:
+def _only_these_joints(model: Any, arm: ArmOrTree) -> Any:
     """`model` with every joint that is not the arm's locked where it is held; always a copy."""
     names = list(model.names)[1:]
     missing = [name for name in arm.joint_names if name not in names]
@@ -288,29 +291,36 @@ def _only_these_joints(model: Any, arm: SerialArm) -> Any:
         ) from error
 
 
-def _build(arm: SerialArm) -> Any:
+def _build(arm: ArmOrTree) -> Any:
     """The arm passed joint by joint."""
     model = pin.Model()
     model.name = arm.name
-    parent, placement = 0, arm.base
+    links = tree_links(arm)
+    tips = {-1: Transform.identity()}
+    parents = {-1: 0}
     armature: list[float] = []
-    for joint, link in zip(arm.joints, arm.links, strict=True):
+    for i, each in enumerate(links):
+        joint, link = each.joint, each.link
         kind = (
             pin.JointModelPrismaticUnaligned
             if joint.kind == "prismatic"
             else pin.JointModelRevoluteUnaligned
         )
         armature.append(joint.armature)
-        parent = model.addJoint(parent, kind(joint.axis), _se3(placement), joint.name)
+        placement = tips[each.parent] @ each.origin
+        parents[i] = model.addJoint(
+            parents[each.parent], kind(joint.axis), _se3(placement), joint.name
+        )
         # Through the ten parameters: `pin.Inertia(m, c, I)` refuses a tensor that no body could
         # have, and the laws hold for those too.
         inertia = pin.Inertia.FromDynamicParameters(link.inertia.parameters())
-        model.appendBodyToJoint(parent, inertia, _se3(link.link_tip_frame))
-        placement = link.link_tip_frame
+        model.appendBodyToJoint(parents[i], inertia, _se3(link.link_tip_frame))
+        tips[i] = link.link_tip_frame
     model.armature = np.array(armature)
     body = pin.FrameType.OP_FRAME
     model.addFrame(pin.Frame(arm.source.base, 0, 0, pin.SE3.Identity(), body))
-    model.addFrame(pin.Frame(arm.source.tip, parent, 0, _se3(placement), body))
+    last = len(links) - 1
+    model.addFrame(pin.Frame(arm.source.tip, parents[last], 0, _se3(tips[last]), body))
     return model
 
 
@@ -318,12 +328,12 @@ def _se3(T: Transform) -> Any:
     return pin.SE3(T.R, T.p)
 
 
-def _parameter_maps(arm: SerialArm) -> list[Array]:
+def _parameter_maps(arm: ArmOrTree) -> list[Array]:
     """From parameters in frame i to parameters in Pinocchio's joint frame.
 
     Pinocchio's joint frame is at the joint, frame i at the tip of the link: P_i apart.
     """
-    return [parameter_map(link.link_tip_frame) for link in arm.links]
+    return [parameter_map(each.link.link_tip_frame) for each in tree_links(arm)]
 
 
 def _finite(value: float) -> float | None:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..._dynamics import equations, kinematics, regressor
 from ..._dynamics import recursion as newton_euler
 from ..._dynamics.batching import gravity_of
-from ..._robot.serial_arm import SerialArm
+from ..._robot.robot_tree import ArmOrTree, RobotTree
 from ..._version import __version__
 from ..engine_entry import EngineEntry
 from ..imported_model import ImportedModel, strict_imported_model
@@ -27,23 +27,25 @@ _ANY_ERROR = 1e9  # a tolerance that no step of an arm exceeds: the step stays a
 
 
 class RecursionEngine:
-    """The recursion of `_dynamics` on one arm: a `ReferenceEngine`, on complex states too, and a
-    `Stepper`.
+    """The recursion of `_dynamics` on one arm or robot: a `ReferenceEngine`, on complex states too,
+    and a `Stepper`.
 
-    arm : the arm;  gravity : in its base frame [m/s²], the arm's own when None.
+    arm : an arm or a tree;  gravity : in its base frame [m/s²], its own when None.
     """
 
     name = "ur5check"
     version = __version__
-    route = "SerialArm"
     integrators: ClassVar[dict[str, int]] = {"DOP853": 8}
 
-    def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+    def __init__(self, arm: ArmOrTree, gravity: ArrayLike | None = None) -> None:
         self.arm = arm
+        self.route = type(arm).__name__
         self.gravity = gravity_of(arm, gravity)
 
     def forward_kinematics(self, q: Numbers) -> Numbers:
-        """Pose of the tool in the base frame, shape (..., 4, 4)."""
+        """Pose of the tool, of a tree's last moving link, in the base frame, (..., 4, 4)."""
+        if isinstance(self.arm, RobotTree):
+            return kinematics.link_frames(self.arm, q)[..., -1, :, :]
         return kinematics.forward_kinematics(self.arm, q)
 
     def inverse_dynamics(self, q: Numbers, qd: Numbers, qdd: Numbers) -> Numbers:

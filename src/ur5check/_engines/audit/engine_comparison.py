@@ -1,6 +1,6 @@
-"""`ur5check.compare_engines`: engine agreement for one arm.
+"""`ur5check.compare_engines`: engine agreement for one arm, or one whole robot.
 
-Every engine reads the same arm by its own parser, and its answers are compared at the same states.
+Every engine reads the same text by its own parser, and its answers are compared at the same states.
 An engine that imports another arm (its known issues say why) reads it a second time with the
 repairs for those known issues.
 """
@@ -17,8 +17,9 @@ from ..._arguments import callback, names
 from ..._dynamics.batching import gravity_of
 from ..._dynamics.recursion import rnea
 from ..._finding import Finding
-from ..._io.loading import ArmSource, load
+from ..._io.arm_or_tree import WholeSource, load_arm_or_tree
 from ..._result import Result
+from ..._robot.robot_tree import ArmOrTree, RobotTree
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States, random_states
 from ..._robot.transforms import Array
@@ -73,15 +74,16 @@ class Stage:
 class EngineReport(Result):
     """The result of `compare_engines`.
 
-    gravity : used by all engines, in the arm's base frame [m/s²]
-    states : `samples` drawn from `seed`, then the worst state of each engine that imported another
-        arm
+    arm : the arm, or the whole robot
+    gravity : used by all engines, in the base frame [m/s²]
+    states : `samples` drawn from `seed`; for an arm then the worst state of each engine that
+        imported another arm
     as_read : every engine with the model as it is
     repaired : with the repairs for its known issues; None where none was needed
     absent : keys of engines that are not installed
     """
 
-    arm: SerialArm
+    arm: ArmOrTree
     gravity: Array
     states: States
     samples: int
@@ -89,6 +91,16 @@ class EngineReport(Result):
     as_read: Stage
     repaired: Stage | None
     absent: tuple[str, ...]
+
+    @property
+    def whole(self) -> bool:
+        """Whether the model is a whole robot, not an arm."""
+        return isinstance(self.arm, RobotTree)
+
+    @property
+    def mimic(self) -> tuple[str, ...]:
+        """Names of the joints that follow a coordinate of another."""
+        return self.arm.followers if isinstance(self.arm, RobotTree) else ()
 
     @property
     def final(self) -> Stage:
@@ -114,8 +126,9 @@ class EngineReport(Result):
 
 
 def compare_engines(
-    model: ArmSource = "appendix",
+    model: WholeSource = "appendix",
     *,
+    whole: bool = False,
     engines: Sequence[str] | None = None,
     samples: int = SAMPLES,
     seed: int = 0,
@@ -123,15 +136,17 @@ def compare_engines(
     repairs: bool = True,
     progress: Callable[[str], None] | None = None,
 ) -> EngineReport:
-    """Load one arm into several engines and compare what they imported and what they answer.
+    """Load one model into several engines and compare what they imported and what they answer.
 
     Parameters
     ----------
-    model : a shipped model's name, a path, a `pin.Model` or a `SerialArm` (see `load`)
+    model : a shipped model's name, a path, a `pin.Model` or a `SerialArm` (see `load`); a `Robot`
+        or a `RobotTree`, which is compared whole, as is a file with several chains
+    whole : whether a file with one arm is compared whole too, with what is beside the arm
     engines : their keys (`ur5check engines` lists them); all that are installed when None.  The
         hand-written recursion always takes part
     samples, seed : number of random states, and the seed (see `random_states`)
-    gravity : for all engines, in the arm's base frame, shape (3,) [m/s²]; the arm's own when None
+    gravity : for all engines, in the base frame, shape (3,) [m/s²]; the model's own when None
     repairs : whether engines that imported another arm read it again with their repairs
     progress : called with a line before each longer step
 
@@ -141,7 +156,7 @@ def compare_engines(
     EngineError : an engine that was named and is not installed.
     """
     say = callback("progress", progress)
-    arm = load(model)
+    arm = load_arm_or_tree(model, whole=whole)
     keys = engine_keys(engines)
     g = gravity_of(arm, gravity)
     drawn = random_states(arm.n, samples, seed)
@@ -149,12 +164,7 @@ def compare_engines(
     for key in keys:
         say(f"{REGISTRY[key].title} reads {arm.name}")
         readings.append(read_by(key, arm, arm, g))
-    worst = [
-        worst_state(arm.with_gravity(g), reading.imported.imported_arm.with_gravity(g), seed)
-        for reading in readings
-        if reading.imported is not None and reading.imported.harmful
-    ]
-    states = join_states(drawn, *worst)
+    states = join_states(drawn, *_worst(arm, readings, g, seed))
     say(f"comparing them at {len(states):,} states")
     as_read = _stage(readings, states, arm, g)
     repaired = None
@@ -164,6 +174,20 @@ def compare_engines(
     here = installed()
     absent = tuple(key for key in REGISTRY if key not in here)
     return EngineReport(arm, g, states, samples, seed, as_read, repaired, absent)
+
+
+def _worst(arm: ArmOrTree, readings: Sequence[Reading], gravity: Array, seed: int) -> list[States]:
+    """The worst state of each engine that imported another arm; none of a tree, since
+    the search takes arms only."""
+    if not isinstance(arm, SerialArm):
+        return []
+    return [
+        worst_state(arm.with_gravity(gravity), imported.with_gravity(gravity), seed)
+        for reading in readings
+        if reading.imported is not None
+        and reading.imported.harmful
+        and isinstance(imported := reading.imported.imported_arm, SerialArm)
+    ]
 
 
 def engine_keys(named: Sequence[str] | None) -> tuple[str, ...]:
@@ -178,13 +202,13 @@ def engine_keys(named: Sequence[str] | None) -> tuple[str, ...]:
     return tuple(key for key in REGISTRY if key == REFERENCE or key in named)
 
 
-def _stage(readings: Sequence[Reading], states: States, arm: SerialArm, gravity: Array) -> Stage:
+def _stage(readings: Sequence[Reading], states: States, arm: ArmOrTree, gravity: Array) -> Stage:
     tau = rnea(arm, states.q, states.qd, states.qdd, gravity)
     answered = tuple(with_answers(reading, states, tau, gravity) for reading in readings)
     return Stage(answered, matrix_of([r.answers for r in answered if r.answers is not None]))
 
 
-def _repaired(reading: Reading, arm: SerialArm, gravity: Array) -> Reading:
+def _repaired(reading: Reading, arm: ArmOrTree, gravity: Array) -> Reading:
     """The engine with the repairs for its known issues, if it needs them and has any."""
     given = repaired(arm, reading.key)
     if given is arm or not (reading.harmful or reading.refused):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ..._finding import Finding, Place, worst_first
-from ..._robot.serial_arm import SerialArm
+from ..._robot.robot_tree import ArmOrTree
 from ..._rules.engine_rules import RULES
 from ..engine_urdf import parsed
 from .engine_reading import Reading
+from .import_audit import ImportAudit
 from .import_difference import ImportDifference
 
 __all__ = ["engine_findings"]
@@ -16,30 +17,28 @@ __all__ = ["engine_findings"]
 _RULES = {rule.name: rule for rule in RULES}
 
 
-def engine_findings(arm: SerialArm, readings: Iterable[Reading]) -> tuple[Finding, ...]:
+def engine_findings(arm: ArmOrTree, readings: Iterable[Reading]) -> tuple[Finding, ...]:
     """One finding for every import difference that is wrong, refusal, and unexplained torque.
 
-    Other representations of the same arm (merged links, two coordinates) are no findings.
+    Other representations of the same arm (merged links, two coordinates) are no findings.  What
+    affects use only, such as a kind of limit, is one finding for all joints that lose it.
     """
     places = _places(arm)
     found: list[Finding] = []
     for reading in readings:
         found += _of_engine(reading, places)
         if reading.imported is not None:
-            found += [
-                _of_difference(one, reading.title, places)
-                for one in reading.imported.differences
-                if one.bears_on != "nothing"
-            ]
+            found += [_of_alike(alike, reading, places) for alike in _groups(reading.imported)]
     return tuple(worst_first(found))
 
 
 def _of_engine(reading: Reading, places: dict[str, Place]) -> list[Finding]:
     if reading.refused is not None:
-        name, effect, message = "model-refused", None, reading.refused
+        name, effect = "model-refused", None
+        message = f"{reading.refused} ({reading.title} {reading.version})"
     elif reading.explanation is not None and not reading.explanation.explained:
         name, effect = "torque-unexplained", reading.explanation.gap
-        message = f"{effect:.4g} N m away from the torques of the imported arm"
+        message = f"{effect:.4g} N m away from the torques of the imported model"
     else:
         return []
     rule = _RULES[name]
@@ -52,15 +51,30 @@ def _of_engine(reading: Reading, places: dict[str, Place]) -> list[Finding]:
     ]  # fmt: skip
 
 
-def _of_difference(one: ImportDifference, title: str, places: dict[str, Place]) -> Finding:
+def _groups(imported: ImportAudit) -> list[list[ImportDifference]]:
+    """Differences that affect torques one by one, those of use by their kind."""
+    groups: dict[object, list[ImportDifference]] = {}
+    for one in imported.differences:
+        if one.bears_on != "nothing":
+            groups.setdefault(one.kind if one.bears_on == "use" else one, []).append(one)
+    return list(groups.values())
+
+
+def _of_alike(
+    alike: Sequence[ImportDifference], reading: Reading, places: dict[str, Place]
+) -> Finding:
+    one = alike[0]
     rule, issue = _RULES[one.kind], one.known_issue
     numeric = one.value is not None or one.bound is not None
+    what = one.kind.replace("-", " ")
+    at = f" at {one.where}" if len(alike) > 1 else ""
     return Finding(
         rule.id,
         rule.severity,
-        one.where or "the whole arm",
-        f"{title} imports {one.imported}, the file has {one.written}",
-        (places.get(one.where, places[""]),),
+        f"{len(alike)} joints" if len(alike) > 1 else one.where or "the whole model",
+        f"{what}: {reading.title} {reading.version} imports {one.imported}, the file has "
+        f"{one.written}{at}",
+        tuple(places.get(each.where, places[""]) for each in alike),
         value=one.value if numeric else one.imported,
         bound=one.bound if numeric else one.written,
         unit=one.unit,
@@ -70,7 +84,7 @@ def _of_difference(one: ImportDifference, title: str, places: dict[str, Place]) 
     )
 
 
-def _places(arm: SerialArm) -> dict[str, Place]:
+def _places(arm: ArmOrTree) -> dict[str, Place]:
     """Place of every link and joint in the file by its name; the file itself under ""."""
     file = arm.source.inputs[0][0] if arm.source.inputs else ""
     places = {"": Place(file)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from ..._errors import EngineError
-from ..._robot.serial_arm import SerialArm
+from ..._robot.robot_tree import ArmOrTree
 from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..engine import Engine
@@ -61,8 +61,8 @@ class Reading:
         )
 
 
-def read_by(key: str, given: SerialArm, arm: SerialArm, gravity: Array) -> Reading:
-    """Load `given` (the arm, or the repaired arm) into an engine, and audit it against `arm`.
+def read_by(key: str, given: ArmOrTree, arm: ArmOrTree, gravity: Array) -> Reading:
+    """Load `given` (the model, or the repaired one) into an engine, and audit it against `arm`.
 
     gravity : in the arm's base frame [m/s²]
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..._dynamics.equations import gravity_torque
 from ..._dynamics.regressor import torque_regressor
-from ..._robot.serial_arm import SerialArm
+from ..._robot.robot_tree import ArmOrTree, tree_links
 from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..imported_model import ImportedModel, imported_arm
@@ -35,9 +35,9 @@ class ImportAudit:
     differences : between the two, those that affect torques first
     """
 
-    arm: SerialArm
+    arm: ArmOrTree
     imported_model: ImportedModel
-    imported_arm: SerialArm
+    imported_arm: ArmOrTree
     differences: tuple[ImportDifference, ...]
 
     @property
@@ -60,7 +60,7 @@ class ImportAudit:
         return sum(found.mass for found in self.differences)
 
 
-def audit(imported_model: ImportedModel, arm: SerialArm, key: str = "") -> ImportAudit:
+def audit(imported_model: ImportedModel, arm: ArmOrTree, key: str = "") -> ImportAudit:
     """Name every difference between an imported model and the arm's source.
 
     key : the engine's; its known issues are attached to the differences that they explain
@@ -91,14 +91,15 @@ def with_torque_effects(imported: ImportAudit, states: States) -> ImportAudit:
 
 
 def _torque_effect(
-    one: ImportDifference, imported_model: ImportedModel, arm: SerialArm, states: States, Y: Array
+    one: ImportDifference, imported_model: ImportedModel, arm: ArmOrTree, states: States, Y: Array
 ) -> float | None:
     if one.parameters is not None:
         return float(np.abs(Y @ one.parameters).max())
     if one.kind == "armature" and one.joint is not None:
         motors = {joint.name: joint.armature for joint in imported_model.joints}
-        gap = motors[arm.joint_names[one.joint]] - arm.joints[one.joint].armature
-        return float(np.abs(gap * states.qdd[:, one.joint]).max())
+        each = tree_links(arm)[one.joint]
+        gap = motors[each.joint.name] - each.joint.armature
+        return float(np.abs(gap * each.multiplier**2 * states.qdd[:, each.coordinate]).max())
     if one.kind == "gravity":
         # g(q) is linear in gravity.
         return float(

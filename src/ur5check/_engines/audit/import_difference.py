@@ -23,7 +23,7 @@ __all__ = ["KINDS", "Bearing", "ImportDifference", "Kind"]
 Bearing = Literal["torque", "use", "nothing"]
 Kind = Literal[
     "default-inertia", "shape-mass", "rotation-dropped", "body-lost",
-    "mass-changed", "com-moved", "tensor-changed", "armature", "axis",
+    "mass-changed", "com-moved", "tensor-changed", "armature", "axis", "joint-moved",
     "gravity", "order", "position-limit", "velocity-limit", "effort-limit",
     "damping", "friction", "tool",
     "body-merged", "base-kept", "base-ignored", "coordinates",
@@ -40,6 +40,7 @@ KINDS: dict[Kind, tuple[Bearing, str]] = {
     "tensor-changed": ("torque", "an inertia tensor is different: balanced, bounded, misread"),
     "armature": ("torque", "a joint's motor inertia is different"),
     "axis": ("torque", "a joint's axis is different"),
+    "joint-moved": ("torque", "a joint is elsewhere"),
     "gravity": ("use", "the default gravity is different"),
     "order": ("use", "joints come in another order"),
     "position-limit": ("use", "position limits are different, or lost"),
@@ -60,10 +61,10 @@ assert set(KINDS) == set(get_args(Kind))  # noqa: S101 - about this file alone
 class ImportDifference:
     """A difference, named.
 
-    where : "link 'tool0'", "joint 'elbow_joint'"; empty for the whole arm
+    where : "link 'tool0'", "joint 'elbow_joint'"; empty for the whole model
     written, imported : what the file says and what the engine has, in words
-    joint : index of the joint that it is about, or that carries it; None for the whole arm
-    parameters : what it adds to π, shape (10 n,); None where it is no inertia's
+    joint : index of the joint that it is about, or that carries it; None for the whole model
+    parameters : what it adds to π, shape (10 N,) for N moving links; None where it is no inertia's
     value, bound : of the engine and of the file, in `unit`, where the difference is one number
     torque_effect : the largest |Δτ| that it alone makes at the compared states [N m]; None where it
         makes none

@@ -17,11 +17,10 @@ from itertools import combinations
 import numpy as np
 
 from ..._comparison.shapley import shares
-from ..._dynamics.kinematics import link_frames
 from ..._robot.inertia import Inertia
-from ..._robot.serial_arm import SerialArm
-from ..._robot.transforms import Array, Transform
-from ..imported_model import ImportedModel
+from ..._robot.robot_tree import ArmOrTree, tree_links
+from ..._robot.transforms import Array
+from ..imported_model import ImportedModel, frames_at_zero
 from .audit_tolerances import parameter_rounding
 from .import_difference import ImportDifference, Kind
 from .written_bodies import Misreading, WrittenBody, written_arm
@@ -39,7 +38,7 @@ class _Part:
     imported: Array  # (10,) in frame i
 
 
-def body_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
+def body_differences(imported_model: ImportedModel, arm: ArmOrTree) -> list[ImportDifference]:
     """Every difference of a moving body, joint by joint from the base."""
     found: list[ImportDifference] = []
     merged: list[str] = []
@@ -48,7 +47,7 @@ def body_differences(imported_model: ImportedModel, arm: SerialArm) -> list[Impo
         group = [body for body in written if body.carried_by == i]
         for part in _parts(group, bodies):
             tolerance = parameter_rounding(arm, part.imported, _total(part.written))
-            found += _differences(part, arm.n, i, tolerance)
+            found += _differences(part, len(tree_links(arm)), i, tolerance)
             heavy = [body.name for body in part.written if body.parameters[0] > 0.0]
             merged += heavy[1:]
     if merged:
@@ -57,15 +56,14 @@ def body_differences(imported_model: ImportedModel, arm: SerialArm) -> list[Impo
     return found
 
 
-def _bodies_by_joint(imported_model: ImportedModel, arm: SerialArm) -> list[dict[str, Array]]:
+def _bodies_by_joint(imported_model: ImportedModel, arm: ArmOrTree) -> list[dict[str, Array]]:
     """Per joint, the engine's bodies by name, in frame i, without the massless ones."""
-    frames = link_frames(arm, np.zeros(arm.n))
-    groups: list[dict[str, Array]] = [{} for _ in range(arm.n)]
+    frames = frames_at_zero(arm)
+    groups: list[dict[str, Array]] = [{} for _ in frames]
     for body in imported_model.bodies:
         i = body.carried_by
         if i is not None and (body.inertia.mass or body.inertia.tensor.any()):
-            to_frame_i = Transform.from_matrix(frames[i]).inverse()
-            parameters = body.inertia.expressed_in(to_frame_i).parameters()
+            parameters = body.inertia.expressed_in(frames[i].inverse()).parameters()
             groups[i][body.name] = groups[i].get(body.name, 0.0) + parameters
     return groups
 

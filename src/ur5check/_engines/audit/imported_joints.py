@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..._robot.serial_arm import Joint, SerialArm
+from ..._robot.robot_tree import ArmOrTree, tree_links
+from ..._robot.serial_arm import Joint
 from ..._robot.transforms import Array
 from ..imported_model import ImportedModel, strict_imported_model
 from .audit_tolerances import pose_rounding, same_number
@@ -19,6 +20,9 @@ __all__ = ["frame_differences", "joint_differences"]
 #: velocity or an effort means the same, since it would forbid all motion.
 _NO_LIMIT = 1e100
 
+#: So many joints are listed, in order.
+_FEW = 8
+
 #: Units of the numbers of a joint: revolute, prismatic.
 _UNITS: dict[Kind, tuple[str, str]] = {
     "armature": ("kg m²", "kg"),
@@ -29,20 +33,49 @@ _UNITS: dict[Kind, tuple[str, str]] = {
 }
 
 
-def joint_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
-    """Order first, then joint by joint: axis, motor, limits, damping, friction."""
-    names = tuple(joint.name for joint in imported_model.joints)
+def joint_differences(imported_model: ImportedModel, arm: ArmOrTree) -> list[ImportDifference]:
+    """Order first, then joint by joint: place, axis, motor, limits, damping, friction."""
+    names = [joint.name for joint in imported_model.joints]
+    wanted = [link.joint.name for link in tree_links(arm)]
     found = []
-    if names != arm.joint_names:
-        found.append(ImportDifference("order", "", ", ".join(arm.joint_names), ", ".join(names)))
-    by_name = {joint.name: joint for joint in imported_model.joints}
-    for i, written in enumerate(strict_imported_model(arm).joints):
-        if written.name in by_name:
-            found += _of_joint(written, by_name[written.name], arm, i)
+    if names != wanted:
+        found.append(ImportDifference("order", "", *_where_they_part(wanted, names)))
+    strict = strict_imported_model(arm)
+    for i, written in enumerate(strict.joints):
+        if written.name in names:
+            k = names.index(written.name)
+            found += _moved(written.name, strict.origins[i], imported_model.origins[k], arm, i)
+            found += _of_joint(written, imported_model.joints[k], arm, i)
     return found
 
 
-def _of_joint(written: Joint, imported: Joint, arm: SerialArm, i: int) -> list[ImportDifference]:
+def _where_they_part(wanted: list[str], names: list[str]) -> tuple[str, str]:
+    """Two orders of joints in words; of many joints, a few from the first that differs."""
+    both = list(zip(wanted, names, strict=False))
+    first = next((k for k, (a, b) in enumerate(both) if a != b), len(both))
+    if max(len(wanted), len(names)) <= _FEW:
+        first, last = 0, _FEW
+    else:
+        last = first + _FEW // 2
+
+    def shown(order: list[str]) -> str:
+        parts = ["…"] * (first > 0) + order[first:last] + ["…"] * (len(order) > last)
+        return ", ".join(parts)
+
+    return shown(wanted), shown(names)
+
+
+def _moved(
+    name: str, written: Array, imported: Array, arm: ArmOrTree, i: int
+) -> list[ImportDifference]:
+    """A joint that the engine has at another point of the base frame, all joints at zero."""
+    if np.abs(written - imported).max() <= pose_rounding(arm):
+        return []
+    words = (f"at {_list(written)} m", f"at {_list(imported)} m")
+    return [ImportDifference("joint-moved", f"joint {name!r}", *words, i)]
+
+
+def _of_joint(written: Joint, imported: Joint, arm: ArmOrTree, i: int) -> list[ImportDifference]:
     where = f"joint {written.name!r}"
     found = []
     if np.abs(written.axis - imported.axis).max() > pose_rounding(arm):
@@ -73,7 +106,7 @@ def _numbers(
     ]
 
 
-def frame_differences(imported_model: ImportedModel, arm: SerialArm) -> list[ImportDifference]:
+def frame_differences(imported_model: ImportedModel, arm: ArmOrTree) -> list[ImportDifference]:
     """Gravity, tool, coordinates, and what became of the base's inertia."""
     found = []
     g = imported_model.gravity
@@ -84,8 +117,9 @@ def frame_differences(imported_model: ImportedModel, arm: SerialArm) -> list[Imp
     if np.abs(tool - imported_model.tool).max() > pose_rounding(arm):
         words = (f"at {_list(tool[:3, 3])} m", f"at {_list(imported_model.tool[:3, 3])} m")
         found.append(ImportDifference("tool", f"frame {arm.source.tip!r}", *words))
-    if imported_model.coordinates != arm.n:
-        words = (f"{arm.n} joints", f"{imported_model.coordinates} position coordinates")
+    n = len(tree_links(arm))
+    if imported_model.coordinates != n:
+        words = (f"{n} joints", f"{imported_model.coordinates} position coordinates")
         found.append(ImportDifference("coordinates", "", *words))
     on_base = written_arm(arm).on_base
     if on_base:

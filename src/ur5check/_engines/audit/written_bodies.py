@@ -1,8 +1,8 @@
 """The inertia of every link that a joint carries as the file has it, and its known misreadings.
 
-A `SerialArm` has one inertia per joint.  To name what an engine did to a link, the links are needed
-one by one, with the known misreadings: the rotation of the `<inertial>` left out, the body left
-out, a default body where none is written.
+A `SerialArm` or `RobotTree` has one inertia per joint.  To name what an engine did to a link, the
+links are needed one by one, with the known misreadings: the rotation of the `<inertial>` left out,
+the body left out, a default body where none is written.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import numpy as np
 
 from ..._robot.inertia import Inertia
 from ..._robot.robot import RobotLink
+from ..._robot.robot_tree import ArmOrTree, RobotTree, tree_links
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
 from .audit_tolerances import tensor_rounding
@@ -57,7 +58,7 @@ class WrittenBody:
 @dataclass(frozen=True, eq=False)
 class WrittenArm:
     """bodies : every link that moves, a joint's own before those fixed to it
-    on_base : names of the links with a mass that no joint of the arm carries
+    on_base : names of the links with a mass that no joint of the arm or tree carries
     """
 
     bodies: tuple[WrittenBody, ...]
@@ -65,10 +66,36 @@ class WrittenArm:
 
 
 @lru_cache(maxsize=4)  # the audits of all engines need the same arm
-def written_arm(arm: SerialArm) -> WrittenArm:
-    """The arm's source, link by link."""
+def written_arm(arm: ArmOrTree) -> WrittenArm:
+    """The source of an arm or a tree, link by link."""
     if arm.source.urdf is None:
         return _of_values(arm)
+    return _of_tree(arm, arm.source.urdf) if isinstance(arm, RobotTree) else _of_arm(arm)
+
+
+def _of_tree(tree: RobotTree, urdf: str) -> WrittenArm:
+    from ..._io.urdf.urdf_reader import read_robot_of_urdf
+
+    robot, _ = read_robot_of_urdf(urdf.encode(), file=tree.name)
+    assert robot is not None  # noqa: S101 - the tree was read from this text
+    bodies, on_base = [], []
+    aboves: dict[str, tuple[str, ...]] = {}
+    for name, (i, pose) in tree.placements.items():
+        link = robot.link[name]
+        inertia = None if link.inertial is None else link.inertial.inertia
+        if i < 0:
+            on_base += [name] if inertia is not None and inertia.mass > 0.0 else []
+            continue
+        above: tuple[str, ...] = ()
+        if name != tree.links[i].link.name:  # fixed to the moving link, or to what is
+            parent = robot.above[name].parent
+            above = (parent, *aboves[parent])
+        aboves[name] = above
+        bodies.append(_body(i, above, inertia, link, pose))
+    return WrittenArm(tuple(bodies), tuple(on_base))
+
+
+def _of_arm(arm: SerialArm) -> WrittenArm:
     from ..._io.urdf.urdf_reader import description_of_arm
 
     description, _ = description_of_arm(arm, arm.name)
@@ -83,18 +110,7 @@ def written_arm(arm: SerialArm) -> WrittenArm:
             poses[step.child] = poses[step.parent] @ description.held_pose(step, moving)
             above[step.child] = (step.parent, *above[step.parent])
         for name, pose in poses.items():
-            inertia, link = description.inertia(name), links[name]
-            bodies.append(
-                WrittenBody(
-                    name,
-                    i,
-                    above[name],
-                    np.zeros(10) if inertia is None else inertia.expressed_in(pose).parameters(),
-                    inertia is not None,
-                    bool(link.shapes),
-                    tuple(_misreadings(inertia, link, pose)),
-                )
-            )
+            bodies.append(_body(i, above[name], description.inertia(name), links[name], pose))
     carried = {body.name for body in bodies}
     on_base = tuple(
         name
@@ -104,13 +120,28 @@ def written_arm(arm: SerialArm) -> WrittenArm:
     return WrittenArm(tuple(bodies), on_base)
 
 
-def _of_values(arm: SerialArm) -> WrittenArm:
+def _body(
+    i: int, above: tuple[str, ...], inertia: Inertia | None, link: RobotLink, pose: Transform
+) -> WrittenBody:
+    """pose : of the link in frame i"""
+    return WrittenBody(
+        link.name,
+        i,
+        above,
+        np.zeros(10) if inertia is None else inertia.expressed_in(pose).parameters(),
+        inertia is not None,
+        bool(link.shapes),
+        tuple(_misreadings(inertia, link, pose)),
+    )
+
+
+def _of_values(arm: ArmOrTree) -> WrittenArm:
     """A DH table or a value: one body a joint."""
     lost = (Misreading("body-lost", np.zeros(10), "nothing"),)
     return WrittenArm(
         tuple(
-            WrittenBody(link.name, i, (), link.inertia.parameters(), True, False, lost)
-            for i, link in enumerate(arm.links)
+            WrittenBody(each.link.name, i, (), each.link.inertia.parameters(), True, False, lost)
+            for i, each in enumerate(tree_links(arm))
         )
     )
 
