@@ -73,6 +73,18 @@ class ModelError(InputError):
             fix=self.fix,
         )
 
+    def at(self, place: Place) -> ModelError:
+        """The same error, at the file and line of another place."""
+        return ModelError(
+            self.problem,
+            fix=self.fix,
+            file=place.file,
+            line=place.line or None,
+            element=self.element,
+            value=self.value,
+            rule=self.rule,
+        )
+
     def _sentence(self) -> str:
         place = self.file or ""
         if self.line is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..._errors import ModelError
 from ..._robot.serial_arm import SerialArm
 from ..model_format import ModelFile
 from ..package_search import known_packages
@@ -17,13 +18,19 @@ def read_xacro_file(file: ModelFile) -> SerialArm:
         file.path,
         arguments=file.arguments or {},
         packages=known_packages(file.path, file.packages),
+        label=file.label,
     )
-    # Lines are those of the expanded text: what stands in them may come from any of its files.
-    return read_urdf(
-        expansion.text.encode(),
-        file=f"{file.label} (expanded)",
-        base=file.base,
-        tip=file.tip,
-        kind="xacro",
-        inputs=tuple(expansion.inputs),
-    )
+    try:
+        return read_urdf(
+            expansion.text.encode(),
+            file=file.label,
+            base=file.base,
+            tip=file.tip,
+            kind="xacro",
+            inputs=expansion.inputs,
+        )
+    except ModelError as error:
+        if error.line is None:
+            raise
+        place = expansion.places.of_line(expansion.text, error.line)
+        raise error.at(place) from None
