@@ -25,12 +25,15 @@ class Place:
 
     file : as the user gave it, or as an include names it;  line, column : from 1, 0 where unknown
     element : the element, key or body, "link 'forearm' inertial/mass"
+    via : of text that xacro expanded: the macro calls that brought it there, the innermost first,
+        and its place in the expanded text
     """
 
     file: str = ""
     line: int = 0
     column: int = 0
     element: str = ""
+    via: tuple[Place, ...] = ()
 
     def __str__(self) -> str:
         parts = [str(part) for part in (self.file, self.line, self.column) if part]
@@ -45,7 +48,7 @@ class Finding:
     severity : as the rule has it, or lower where the rule says so
     subject : what it is about: "link 'forearm'", "joint 'elbow'", "robot 'ur5'"
     message : what is wrong, as a clause, with its numbers
-    places : where it is written, the number at fault first
+    places : where it is written, the number at fault first; each followed by its `via`
     value, bound : what was found and what it was compared with, in `unit`; None where there is no
         number
     consequence : what it does to a user of the model

@@ -7,7 +7,7 @@ import shlex
 import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict
 
 from .._errors import UsageError
 from .._io.formats import FORMATS as MODEL_FORMATS
@@ -27,6 +27,7 @@ __all__ = [
     "add_model_options",
     "add_output_options",
     "add_state_options",
+    "chain_options",
     "command_line",
     "name_value_pairs",
     "progress",
@@ -34,6 +35,9 @@ __all__ = [
 
 MODELS = f"MODEL is paper, paper-listing, appendix, erd-ur5,\nor a file: {suffixes_in_words()}."
 
+
+# What chooses the chain of a model.
+_CHAIN = ("base", "tip", "arm")
 
 # Options without a value that change what a report says.
 _FLAGS = ("quick", "by_parameter")
@@ -82,7 +86,7 @@ def add_gravity_option(parser: argparse.ArgumentParser) -> None:
 
 
 def add_model_options(parser: argparse.ArgumentParser, sides: tuple[str, ...]) -> None:
-    """--base and --tip for each of `sides` ("" for the only model), --package, --arg."""
+    """--base, --tip and --arm for each of `sides` ("" for the only model), --package, --arg."""
     for side in sides:
         suffix, of = (f"-{side}", f"{side.upper()}'s") if side else ("", "the model's")
         for end, what in (("base", "first"), ("tip", "last")):
@@ -91,6 +95,11 @@ def add_model_options(parser: argparse.ArgumentParser, sides: tuple[str, ...]) -
                 metavar="LINK",
                 help=f"{of} {what} link (default: of its only chain)",
             )
+        parser.add_argument(
+            f"--arm{suffix}",
+            metavar="NAME",
+            help=f"{of} arm, of several: left, right_arm, its last link",
+        )
     parser.add_argument(
         "--package",
         action="append",
@@ -107,68 +116,55 @@ def add_model_options(parser: argparse.ArgumentParser, sides: tuple[str, ...]) -
     )
 
 
+class ChainOptions(TypedDict):
+    """Which chain of a robot is the arm."""
+
+    base: str | None
+    tip: str | None
+    arm: str | None
+
+
 @dataclass(frozen=True)
 class ModelOptions:
     """How to read the models of one command line.
 
-    ends : (base, tip) of each model
+    chains : base, tip and arm of each model
     """
 
     models: tuple[str, ...]
-    ends: tuple[tuple[str | None, str | None], ...]
+    chains: tuple[ChainOptions, ...]
     packages: dict[str, str]
     arguments: dict[str, str]
 
     @classmethod
     def of(cls, args: argparse.Namespace, models: tuple[str, ...]) -> ModelOptions:
         """Raises UsageError for ends of a model that is not there, and pairs that are none."""
-        sides = ("",) if len(models) == 1 else ("_a", "_b")[: len(models)]
-        if len(models) > 2:
-            sides = ("",) * len(models)
-        for end in ("base", "tip"):
-            for side in ("", "_a", "_b"):
-                given = getattr(args, end + side, None) is not None
-                if given and (len(models) > 2 or side not in sides):
-                    wanted = {1: f"--{end}", 2: f"--{end}-a or --{end}-b"}
-                    instead = wanted.get(len(models), "one or two models")
-                    option = f"--{end}{side.replace('_', '-')}"
-                    raise UsageError(
-                        f"{option} has no meaning with {len(models)} "
-                        f"model{'s' if len(models) > 1 else ''}; use {instead}"
-                    )
-        ends = tuple(
-            (getattr(args, f"base{side}", None), getattr(args, f"tip{side}", None))
-            for side in sides
-        )
+        chains = chain_options(args, len(models))
         arguments = name_value_pairs(args.arg, "--arg", ":=")
         if arguments and not any(_is_xacro(model) for model in models):
             raise UsageError("--arg has no meaning here: none of the models is a xacro")
-        return cls(models, ends, name_value_pairs(args.package, "--package", "="), arguments)
+        return cls(models, chains, name_value_pairs(args.package, "--package", "="), arguments)
 
     def load(self, *, quiet: bool) -> list[SerialArm]:
         """Every arm, in order."""
         from .._io.loading import load
 
         arms = []
-        for model, (base, tip) in zip(self.models, self.ends, strict=True):
+        for model, chain in zip(self.models, self.chains, strict=True):
             progress(quiet, f"reading {model}")
             arguments = self.arguments if _is_xacro(model) else None
-            arms.append(
-                load(model, base=base, tip=tip, packages=self.packages, arguments=arguments)
-            )
+            arms.append(load(model, **chain, packages=self.packages, arguments=arguments))
         return arms
 
     def load_arm_or_tree(self, *, whole: bool, quiet: bool) -> ArmOrTree:
         """The arm of the only model, or the whole robot (see `_io.arm_or_tree`)."""
         from .._io.arm_or_tree import load_arm_or_tree
 
-        (model,), ((base, tip),) = self.models, self.ends
+        (model,), (chain,) = self.models, self.chains
         progress(quiet, f"reading {model}")
         arguments = self.arguments if _is_xacro(model) else None
         packages = self.packages
-        return load_arm_or_tree(
-            model, whole=whole, base=base, tip=tip, packages=packages, arguments=arguments
-        )
+        return load_arm_or_tree(model, whole=whole, **chain, packages=packages, arguments=arguments)
 
     def files(self, arms: Sequence[ArmOrTree]) -> list[Path]:
         """What was read: the models' own files, and those that a xacro included."""
@@ -179,6 +175,32 @@ class ModelOptions:
             for model, arm in zip(self.models, arms, strict=True)
             for file in input_files(model, arm.source.inputs, self.packages)
         ]
+
+
+def chain_options(args: argparse.Namespace, count: int) -> tuple[ChainOptions, ...]:
+    """base, tip and arm of each of `count` models; --base-a … of two, none of many.
+
+    Raises UsageError for an option of a model that is not there.
+    """
+    sides = {1: ("",), 2: ("_a", "_b")}.get(count, ())
+    for end in _CHAIN:
+        for side in ("", "_a", "_b"):
+            if getattr(args, end + side, None) is not None and side not in sides:
+                option = f"--{end}{side.replace('_', '-')}"
+                wanted = {1: f"--{end}", 2: f"--{end}-a or --{end}-b"}
+                raise UsageError(
+                    f"{option} has no meaning with {count} model{'s' if count > 1 else ''}; "
+                    f"use {wanted.get(count, 'one or two models')}"
+                )
+    chosen = sides or ("",) * count
+    return tuple(
+        ChainOptions(
+            base=getattr(args, f"base{side}", None),
+            tip=getattr(args, f"tip{side}", None),
+            arm=getattr(args, f"arm{side}", None),
+        )
+        for side in chosen
+    )
 
 
 def name_value_pairs(given: list[str], option: str, sign: str) -> dict[str, str]:
@@ -197,7 +219,8 @@ def name_value_pairs(given: list[str], option: str, sign: str) -> dict[str, str]
 def command_line(command: str, args: argparse.Namespace, models: tuple[str, ...]) -> str:
     """The command that makes this report again, with its defaults spelled out."""
     words = ["ur5check", command, *models]
-    for option in ("base", "tip", "base_a", "tip_a", "base_b", "tip_b", "samples", "seed"):
+    chain = [end + side for side in ("", "_a", "_b") for end in _CHAIN]
+    for option in (*chain, "samples", "seed"):
         value = getattr(args, option, None)
         if value is not None:
             words += [f"--{option.replace('_', '-')}", str(value)]

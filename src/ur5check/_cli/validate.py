@@ -21,6 +21,7 @@ from .options import (
     add_model_options,
     add_output_options,
     add_state_options,
+    chain_options,
     command_line,
     name_value_pairs,
     progress,
@@ -144,7 +145,7 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
 
     integer("samples", args.samples, least=1)
     integer("seed", args.seed, least=0)
-    ends = _ends(args, len(models))
+    chains = chain_options(args, len(models))
     hold = {}
     for name, value in name_value_pairs(args.hold, "--hold", "=").items():
         try:
@@ -156,8 +157,9 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
     return [
         Request(
             model,
-            base,
-            tip,
+            chain["base"],
+            chain["tip"],
+            chain["arm"],
             tuple(hold.items()),
             packages,
             arguments,
@@ -168,7 +170,7 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
             not args.no_meshes,
             tuple(name.strip() for name in args.engines.split(",") if name.strip()),
         )
-        for model, (base, tip) in zip(models, ends, strict=True)
+        for model, chain in zip(models, chains, strict=True)
     ]
 
 
@@ -183,25 +185,6 @@ def _command(args: argparse.Namespace) -> str:
     words += ["--engines", args.engines] if args.engines else []
     words += [f"--hold {shlex.quote(held)}" for held in args.hold]
     return " ".join(words + ["--no-meshes"] * args.no_meshes)
-
-
-def _ends(args: argparse.Namespace, count: int) -> list[tuple[str | None, str | None]]:
-    """--base and --tip of one model, --base-a … of two; none of many."""
-    sides = {1: [""], 2: ["_a", "_b"]}.get(count, [])
-    for end in ("base", "tip"):
-        for side in ("", "_a", "_b"):
-            if getattr(args, end + side) is not None and side not in sides:
-                option = f"--{end}{side.replace('_', '-')}"
-                instead = {1: f"--{end}", 2: f"--{end}-a or --{end}-b"}.get(
-                    count, "one model a call"
-                )
-                raise UsageError(
-                    f"{option} has no meaning with {count} model{'s' if count > 1 else ''}; "
-                    f"use {instead}"
-                )
-    if not sides:
-        return [(None, None)] * count
-    return [(getattr(args, f"base{side}"), getattr(args, f"tip{side}")) for side in sides]
 
 
 def _folder_of(model: str) -> Path:

@@ -41,12 +41,11 @@ def load_arm(
     *,
     base: str | None = None,
     tip: str | None = None,
-    urdf: str | None = None,
     strict: bool = True,
 ) -> SerialArm:
     """The arm between two links of a robot.
 
-    robot, findings : what reading the file gave;  urdf : its text
+    robot, findings : what reading the file gave
     base, tip : as for `arm_of_robot`
     strict : whether a body or joint that cannot exist is an error; otherwise these findings are the
         arm's `source.faults`, as long as every number of it can be read
@@ -66,7 +65,7 @@ def load_arm(
     for finding in concerning:
         if strict or finding.rule not in _IMPOSSIBLE:
             raise ModelError.of(finding)
-    arm = arm_along(description, chain, urdf, strict=strict)
+    arm = arm_along(description, chain, strict=strict)
     return replace(arm, source=replace(arm.source, faults=concerning))
 
 

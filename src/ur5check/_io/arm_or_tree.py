@@ -26,6 +26,7 @@ def load_arm_or_tree(
     whole: bool = False,
     base: str | None = None,
     tip: str | None = None,
+    arm: str | None = None,
     packages: Mapping[str, str | Path] | None = None,
     arguments: Mapping[str, str] | None = None,
 ) -> ArmOrTree:
@@ -33,7 +34,7 @@ def load_arm_or_tree(
 
     model : as for `load`, or a Robot or RobotTree, which is taken whole
     whole : whether the whole robot is wanted in any case
-    base, tip, packages, arguments : as for `load`
+    base, tip, arm, packages, arguments : as for `load`
 
     Raises ModelError and UsageError as `load` and `load_robot` do.
     """
@@ -41,17 +42,17 @@ def load_arm_or_tree(
         return model
     if isinstance(model, Robot):
         return RobotTree.of(model)
-    ends = (base, tip) != (None, None)
-    if whole and ends:
-        raise UsageError("base and tip choose an arm, not a whole robot; leave them out")
+    chosen = (base, tip, arm) != (None, None, None)
+    if whole and chosen:
+        raise UsageError("base, tip and arm choose an arm, not a whole robot; leave them out")
     if whole:
         if not isinstance(model, str | Path):
             raise UsageError(f"a {type(model).__name__} is no whole robot; give a file")
         return RobotTree.of(load_robot(model, packages=packages, arguments=arguments))
     try:
-        return load(model, base=base, tip=tip, packages=packages, arguments=arguments)
+        return load(model, base=base, tip=tip, arm=arm, packages=packages, arguments=arguments)
     except ModelError:
-        if ends or not isinstance(model, str | Path) or not Path(model).is_file():
+        if chosen or not isinstance(model, str | Path) or not Path(model).is_file():
             raise
         robot = read_robot(model, packages=packages, arguments=arguments).robot
         if robot is None or len((choice := choose_arm(robot)).chains) < 2 or choice.tip:

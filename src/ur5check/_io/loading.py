@@ -24,6 +24,7 @@ def load(
     *,
     base: str | None = None,
     tip: str | None = None,
+    arm: str | None = None,
     packages: Mapping[str, str | Path] | None = None,
     arguments: Mapping[str, str] | None = None,
     strict: bool = True,
@@ -35,6 +36,8 @@ def load(
     base, tip : links (bodies or sites of an MJCF, frames of a pin.Model) between which the arm is
         taken; of a URDF or xacro by default the root, and the end of the chain that is clearly
         the arm
+    arm : in place of `tip`, of a file with several chains: the name of the last link, or another
+        that tells the chain from the others ("left", "right_arm")
     packages : ROS package names and their folders, for `$(find …)` in a xacro
     arguments : values for the `xacro:arg`s of a xacro
     strict : False takes a URDF or xacro also where a body or a joint of the arm cannot exist (a
@@ -45,25 +48,30 @@ def load(
     of the whole robot), UsageError for a name that means nothing and for an option that means
     nothing for this kind of `x`.
     """
-    for name, value in (("base", base), ("tip", tip)):
+    for name, value in (("base", base), ("tip", tip), ("arm", arm)):
         if value is not None:
-            instance(name, value, str, "give the name of a link")
+            instance(name, value, str, "give a name")
     text_map("packages", packages)
     text_map("arguments", arguments)
     if isinstance(x, SerialArm):
-        _refuse("an arm that is made already", base=base, tip=tip, arguments=arguments)
+        _refuse("an arm that is made already", base=base, tip=tip, arm=arm, arguments=arguments)
         return x
     # By the type's name, so that Pinocchio is not imported for a file that does not need it.
     if type(x).__module__.partition(".")[0] == "pinocchio" and type(x).__name__ == "Model":
         from .pinocchio_model import read_pinocchio_model
 
-        _refuse("a pin.Model", arguments=arguments)
+        _refuse("a pin.Model", arm=arm, arguments=arguments)
         return read_pinocchio_model(x, base=base, tip=tip)
     if not isinstance(x, str | Path):
         raise UsageError(
             f"a {type(x).__name__} is no arm; give a model's name, a path, a pin.Model or a "
             "SerialArm"
         )
+    if arm is not None:
+        from .robot_loading import read_robot
+
+        reading = read_robot(x, base=base, tip=tip, arm=arm, packages=packages, arguments=arguments)
+        base, tip = reading.base, reading.tip
     entry = SHIPPED_MODELS.get(x) if isinstance(x, str) else None
     if entry is None:
         path, label = Path(x), str(Path(x))
@@ -75,8 +83,8 @@ def load(
         base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
     data = _bytes(path, label)
     form = format_of_text(form, path, data, label)
-    arm = _read(ModelFile(path, label, data, base, tip, packages, arguments, strict), form)
-    return arm if entry is None else replace(arm, name=entry.name)
+    read = _read(ModelFile(path, label, data, base, tip, packages, arguments, strict), form)
+    return read if entry is None else replace(read, name=entry.name)
 
 
 def _read(file: ModelFile, form: ModelFormat) -> SerialArm:

@@ -38,12 +38,10 @@ def arm_of_robot(
     chains could be meant; UsageError for a joint in `hold` that is not there or is the arm's own.
     """
     description = RobotDescription(robot, hold)
-    return arm_along(description, description.chain(base, tip), urdf)
+    return arm_along(description, description.chain(base, tip))
 
 
-def arm_along(
-    description: RobotDescription, chain: Chain, urdf: str | None, *, strict: bool = True
-) -> SerialArm:
+def arm_along(description: RobotDescription, chain: Chain, *, strict: bool = True) -> SerialArm:
     """The arm along a chain of a robot.  Raises as `arm_of_robot` does.
 
     strict : refuse a moving tip without mass, and a moving mass without a tensor

@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .._arguments import text_map
 from .._errors import ModelError, UsageError
@@ -13,11 +14,15 @@ from .._files import read_regular
 from .._finding import Finding
 from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
+from .arm_names import tip_of_arm
 from .formats import format_by_suffix, format_of_text
 from .package_search import known_packages
 from .ros_packages import PackageMap
 from .shipped_models import SHIPPED_MODELS
 from .suggestions import did_you_mean
+
+if TYPE_CHECKING:
+    from .xacro.xacro_places import SourcePlaces
 
 __all__ = ["RobotReading", "load_robot", "read_robot"]
 
@@ -51,6 +56,7 @@ def read_robot(
     arguments: Mapping[str, str] | None = None,
     base: str | None = None,
     tip: str | None = None,
+    arm: str | None = None,
 ) -> RobotReading:
     """Read a model's file whole.
 
@@ -58,9 +64,12 @@ def read_robot(
     packages : ROS package names and their folders, before those that are found around the file
     arguments : values for a xacro's arguments
     base, tip : links between which the arm is taken
+    arm : in place of `tip`: a name of the arm, as `tip_of_arm` takes it
 
     Raises UsageError for a name that means nothing and a file that is not there.
     """
+    if arm is not None and tip is not None:
+        raise UsageError(f"arm {arm!r} and tip {tip!r} are both given; give one")
     entry = SHIPPED_MODELS.get(model) if isinstance(model, str) else None
     path = Path(model) if entry is None else entry.path()
     label = str(path) if entry is None else f"{entry.home}/{entry.file}"
@@ -78,8 +87,12 @@ def read_robot(
         raise UsageError(f"{path} cannot be read: {error.strerror}") from None
     here = _File(path, label, data, known)
     if entry is not None:  # as `load` does
-        base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
-    reading = replace(_read(here, arguments or {}, base, tip), base=base, tip=tip)
+        base = entry.base if base is None else base
+        tip = entry.tip if tip is None and arm is None else tip
+    reading = _read(here, arguments or {}, base, tip)
+    if arm is not None and reading.robot is not None:
+        tip = tip_of_arm(reading.robot, arm, base)
+    reading = replace(reading, base=base, tip=tip)
     if entry is None or reading.robot is None:
         return reading
     return replace(reading, robot=replace(reading.robot, name=entry.name))
@@ -145,7 +158,7 @@ def _read(
     if form.kind == "xacro":
         return _xacro(here, arguments)
     if form.kind == "urdf":
-        return _urdf(here, here.data, here.label, "urdf", here.inputs)
+        return _urdf(here, here.data, "urdf", here.inputs)
     return _one_chain(here, base, tip)
 
 
@@ -167,16 +180,21 @@ class _File:
 
 
 def _urdf(
-    file: _File, data: bytes, label: str, kind: str, inputs: tuple[tuple[str, str], ...]
+    file: _File,
+    data: bytes,
+    kind: str,
+    inputs: tuple[tuple[str, str], ...],
+    places: SourcePlaces | None = None,
 ) -> RobotReading:
+    """places : where the text's elements were written, if it was made from other files"""
     from .urdf.urdf_reader import read_robot_of_urdf
 
-    robot, findings = read_robot_of_urdf(data, file=label, kind=kind, inputs=inputs)
+    label = file.label if places is None else f"{file.label} (expanded)"
+    robot, findings = read_robot_of_urdf(data, file=label, kind=kind, inputs=inputs, places=places)
     if robot is None:
         return file.nothing(*findings)
-    robot = replace(robot, urdf=data.decode("utf-8"))
     return RobotReading(
-        label,
+        file.label,
         robot,
         findings,
         file.packages,
@@ -189,11 +207,13 @@ def _xacro(file: _File, arguments: Mapping[str, str]) -> RobotReading:
     from .xacro.xacro_reader import expand_xacro
 
     try:
-        expansion = expand_xacro(file.path, arguments=arguments, packages=file.packages)
+        expansion = expand_xacro(
+            file.path, arguments=arguments, packages=file.packages, label=file.label
+        )
     except ModelError as error:
         return file.nothing(error.finding)
-    label = f"{file.label} (expanded)"
-    return _urdf(file, expansion.text.encode(), label, "xacro", tuple(expansion.inputs))
+    text = expansion.text.encode()
+    return _urdf(file, text, "xacro", expansion.inputs, expansion.places)
 
 
 def _one_chain(file: _File, base: str | None, tip: str | None) -> RobotReading:

@@ -87,6 +87,8 @@ def json_text(report: Report) -> str:
 def _builtin(value: Any) -> Any:
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
+    if isinstance(value, float):  # a number that knows how it was printed
+        return float(value)
     raise NotImplementedError(f"a {type(value).__name__} has no JSON")
 
 

@@ -13,6 +13,7 @@ from .document import Verdict as Headline
 from .provenance import Provenance
 from .validate_document import validate_document
 from .verdict_summary import inputs_of_verdicts, summarize_verdicts
+from .wording import where
 
 __all__ = ["verdict_document"]
 
@@ -55,10 +56,9 @@ def _section(v: Verdict) -> Section:
     columns = tuple(
         Column(title) for title in ("severity", "rule", "place", "subject", "finding", "fix")
     )
-    rows = tuple(Row(_cells(f), bad=f.severity == "error") for f in s.open)
+    rows = tuple(Row(_cells(f, j.file), bad=f.severity == "error") for f in s.open)
     return Section(j.file, tuple(lines), (Table(columns, rows),) if rows else ())
 
 
-def _cells(f: Finding) -> tuple[str, ...]:
-    line = f"{f.place.line}:{f.place.column}" if f.place.line else ""
-    return f.severity, f.rule, line, f.subject, f.message, f.fix
+def _cells(f: Finding, file: str) -> tuple[str, ...]:
+    return f.severity, f.rule, where(f.place, file), f.subject, f.message, f.fix

@@ -15,6 +15,7 @@ from .._finding import Finding
 from .._validation.configuration import Sorted
 from .._validation.judgement import Judgement
 from .._validation.verdict import PairVerdict, Verdict
+from .wording import where
 
 __all__ = ["LINES", "WIDTH", "verdict_text", "verdicts_text"]
 
@@ -50,7 +51,7 @@ def verdict_text(v: Verdict, *, lines: int | None = LINES, width: int = WIDTH) -
     tight = lines is not None and lines < LINES
     left = None if lines is None else max(lines - len(head) - len(foot) - (0 if tight else 2), 2)
     gap = [] if tight else [""]
-    return "\n".join([*head, *gap, *_findings(s.open, left, width), *gap, *foot]) + "\n"
+    return "\n".join([*head, *gap, *_findings(s.open, j.file, left, width), *gap, *foot]) + "\n"
 
 
 def _pair_lines(pair: PairVerdict) -> list[str]:
@@ -81,10 +82,10 @@ def _headline(j: Judgement, s: Sorted, passed: bool, width: int) -> str:
     return text
 
 
-def _findings(findings: Sequence[Finding], most: int | None, width: int) -> list[str]:
+def _findings(findings: Sequence[Finding], file: str, most: int | None, width: int) -> list[str]:
     shown: list[str] = []
     for k, finding in enumerate(findings):
-        block = _finding(finding, width, short=most is not None)
+        block = _finding(finding, file, width, short=most is not None)
         left = len(findings) - k
         needed = len(block) + (1 if left > 1 else 0)
         if most is not None and len(shown) + needed > most:
@@ -94,11 +95,12 @@ def _findings(findings: Sequence[Finding], most: int | None, width: int) -> list
     return shown
 
 
-def _finding(f: Finding, width: int, *, short: bool) -> list[str]:
-    where = f"line {f.place.line}" if f.place.line else ""
-    if f.place.line and f.place.column:
-        where += f":{f.place.column}"
-    head = "  ".join(part for part in (f"{f.severity:7} {f.rule}", f.subject, where) if part)
+def _finding(f: Finding, file: str, width: int, *, short: bool) -> list[str]:
+    head, place = f"{f.severity:7} {f.rule}  {f.subject}", where(f.place, file)
+    over = len(head) + 2 + len(place) - width
+    if over > 0 and len(place) > over + 1:  # a long path is cut at its beginning
+        place = f"…{place[over + 1 :]}"
+    head = f"{head}  {place}".rstrip()
     message = _wrapped(f.message, width - 4, "")
     if short and len(message) > 2:
         message = [message[0], f"{message[1][: width - 6]} …"]
@@ -108,6 +110,9 @@ def _finding(f: Finding, width: int, *, short: bool) -> list[str]:
         tail = tail[:1] if short and len(tail) > 1 and len(message) > 1 else tail
     if not short and f.consequence:
         tail = [*_wrapped(f"consequence: {f.consequence}", width - 4, "     "), *tail]
+    if not short and f.place.via:
+        ways = ", ".join(f"{where(p, file)} {p.element}".rstrip() for p in f.place.via)
+        tail = [*_wrapped(f"by way of: {ways}", width - 4, "     "), *tail]
     return [head[:width], *(f"    {line}" for line in (*message, *tail))]
 
 

@@ -1,11 +1,13 @@
-"""Numbers and joint states as text."""
+"""Numbers, joint states and places as text."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import PurePath
 
+from .._finding import Place
 from .._robot.serial_arm import Joint, SerialArm
 from .._robot.transforms import Array
 
@@ -19,6 +21,7 @@ __all__ = [
     "posture",
     "residue",
     "titled",
+    "where",
 ]
 
 #: What stands in a table where there is no number.
@@ -80,3 +83,12 @@ def titled(arm: SerialArm) -> str:
 def joined(parts: Sequence[str]) -> str:
     """`a`, `a and b`, `a, b and c`; nothing of nothing."""
     return " and ".join(part for part in (", ".join(parts[:-1]), *parts[-1:]) if part)
+
+
+def where(place: Place, file: str) -> str:
+    """`line 12:5`, or with the name of a file other than `file`; "" where it is unknown."""
+    if place.line == 0:
+        return "" if place.file == file else place.file
+    if place.file not in ("", file):
+        return str(place)
+    return f"line {replace(place, file='')}"

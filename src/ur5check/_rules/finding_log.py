@@ -32,7 +32,7 @@ def finding_of(
         severity=severity or record.severity,
         subject=subject,
         message=message,
-        places=places,
+        places=tuple(one for place in places for one in (place, *place.via)),
         value=_plain(value),
         bound=_plain(bound),
         unit=unit,

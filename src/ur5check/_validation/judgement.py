@@ -88,6 +88,7 @@ def judge(
     *,
     base: str | None = None,
     tip: str | None = None,
+    arm: str | None = None,
     hold: Mapping[str, float] | None = None,
     packages: Mapping[str, str | Path] | None = None,
     arguments: Mapping[str, str] | None = None,
@@ -103,8 +104,9 @@ def judge(
     Parameters
     ----------
     model : a shipped model's name or a path
-    base, tip, hold : which chain is the arm (default: a shipped model's own, else as `load`
-        chooses), and where joints beside it are held
+    base, tip, arm, hold : which chain is the arm (default: a shipped model's own, else as `load`
+        chooses), and where joints beside it are held; `arm` is a name of the chain in place of
+        `tip`, as `load` takes it
     packages, arguments : of ROS and of a xacro
     samples, seed : states at which the computation is checked
     payload : mass at the tip [kg];  expected_mass : of the whole robot [kg]
@@ -139,7 +141,7 @@ def judge(
     if expected_mass is not None:
         number("expected_mass", expected_mass, positive=True)
     asked = engines_asked(engines)
-    reading = read_robot(model, packages=packages, arguments=arguments, base=base, tip=tip)
+    reading = read_robot(model, packages=packages, arguments=arguments, base=base, tip=tip, arm=arm)
     if reading.robot is None:
         none = "the file describes no robot"
         return Judgement(
@@ -156,23 +158,23 @@ def judge(
             seed,
             asked,
         )
-    arm, arm_note = _arm(reading, hold)
+    chain, arm_note = _arm(reading, hold)
     reader = MeshReader(reading.folder, reading.packages) if meshes else None
     subject = RuleSubject(
-        reading.robot, reader, arm=arm, payload=payload, expected_mass=expected_mass
+        reading.robot, reader, arm=chain, payload=payload, expected_mass=expected_mass
     )
     findings = tuple(check_rules(subject, reading.findings))
     if _depth(reading.robot) <= _DEEPEST:
         imports = import_findings(reading.robot, asked, findings, seed)
         findings = tuple(worst_first([*findings, *imports]))
-    laws, laws_note = _laws(reading.robot, arm, findings, samples, seed)
+    laws, laws_note = _laws(reading.robot, chain, findings, samples, seed)
     return Judgement(
         str(model),
         reading.file,
         (*reading.inputs, *(() if reader is None else reader.inputs.items())),
         reading.robot,
         findings,
-        arm,
+        chain,
         arm_note,
         laws,
         laws_note or arm_note,

@@ -33,6 +33,7 @@ class Request:
     model: str
     base: str | None = None
     tip: str | None = None
+    arm: str | None = None
     hold: tuple[tuple[str, float], ...] = ()
     packages: tuple[tuple[str, str], ...] = ()
     arguments: tuple[tuple[str, str], ...] = ()
@@ -49,6 +50,7 @@ class Request:
             self.model,
             base=self.base,
             tip=self.tip,
+            arm=self.arm,
             hold=dict(self.hold),
             packages=dict(self.packages),
             arguments=dict(self.arguments),

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
+from typing import Protocol
 
 from ..._errors import ModelError
 from ..._finding import Finding, Place
@@ -12,7 +14,7 @@ from ..._rules.finding_log import FindingLog, finding_of
 from ..arm_loading import load_arm
 from ..model_format import ModelFile
 from ..robot_arm import RobotDescription
-from ..xml.xml_tree import XmlError, parse_xml
+from ..xml.xml_tree import XmlError, XmlNode, parse_xml
 from .urdf_robot import read_urdf_robot
 
 __all__ = ["description_of_arm", "read_robot_of_urdf", "read_urdf", "read_urdf_file"]
@@ -37,15 +39,16 @@ def read_urdf(
     tip: str | None = None,
     kind: str = "urdf",
     inputs: tuple[tuple[str, str], ...] = (),
+    places: ElementPlaces | None = None,
     strict: bool = True,
 ) -> SerialArm:
     """The arm between two links of a URDF.  Raises ModelError as `load_arm` does.
 
-    data, file, kind, inputs : as for `read_robot_of_urdf`;  base, tip, strict : as for `load_arm`
+    data, file, kind, inputs, places : as for `read_robot_of_urdf`
+    base, tip, strict : as for `load_arm`
     """
-    robot, findings = read_robot_of_urdf(data, file=file, kind=kind, inputs=inputs)
-    text = None if robot is None else data.decode("utf-8")
-    return load_arm(robot, findings, base=base, tip=tip, urdf=text, strict=strict)
+    robot, findings = read_robot_of_urdf(data, file=file, kind=kind, inputs=inputs, places=places)
+    return load_arm(robot, findings, base=base, tip=tip, strict=strict)
 
 
 def description_of_arm(arm: SerialArm, file: str) -> tuple[RobotDescription, tuple[Finding, ...]]:
@@ -60,19 +63,33 @@ def description_of_arm(arm: SerialArm, file: str) -> tuple[RobotDescription, tup
     return RobotDescription(robot, dict(arm.source.held)), findings
 
 
+class ElementPlaces(Protocol):
+    """Where the elements of a text were written that was made from other files."""
+
+    def attach(self, root: XmlNode) -> None:
+        """Give each element its place."""
+
+
 def read_robot_of_urdf(
-    data: bytes, *, file: str, kind: str = "urdf", inputs: tuple[tuple[str, str], ...] = ()
+    data: bytes,
+    *,
+    file: str,
+    kind: str = "urdf",
+    inputs: tuple[tuple[str, str], ...] = (),
+    places: ElementPlaces | None = None,
 ) -> tuple[Robot | None, tuple[Finding, ...]]:
     """The robot that a URDF describes, None where it describes none, and all that is wrong.
 
     data : the file's bytes;  file : what findings and reports call it
-    kind, inputs : of the robot, where the text was made from something else (xacro)
+    kind, inputs, places : of the robot, where the text was made from something else (xacro)
     """
     try:
         root = parse_xml(data, file)
     except XmlError as error:
         place = Place(file, error.line, error.column)
         return None, (finding_of("XML101", "file", error.problem, place, fix=error.fix),)
+    if places is not None:
+        places.attach(root)
     if root.tag != "robot" or "xmlns" in root.attributes:
         fix = _OTHER_FORMATS.get(root.tag, "a URDF's root is <robot>")
         if root.tag == "robot":
@@ -84,4 +101,4 @@ def read_robot_of_urdf(
     log = FindingLog()
     of_file = ((file, hashlib.sha256(data).hexdigest()),)
     robot = read_urdf_robot(root, log, kind=kind, inputs=inputs or of_file)
-    return robot, tuple(log.findings)
+    return replace(robot, urdf=data.decode("utf-8")), tuple(log.findings)

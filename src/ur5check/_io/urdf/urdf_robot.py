@@ -62,7 +62,7 @@ def read_urdf_robot(
 class _Reader:
     def __init__(self, root: XmlNode, log: FindingLog) -> None:
         self.root, self.log = root, log
-        self.file = root.file.name
+        self.file = root.place().file
         self.link_names: set[str] = set()
 
     def robot(self, kind: str, inputs: tuple[tuple[str, str], ...]) -> Robot:

@@ -17,14 +17,15 @@ def read_xacro_file(file: ModelFile) -> SerialArm:
         file.path,
         arguments=file.arguments or {},
         packages=known_packages(file.path, file.packages),
+        label=file.label,
     )
-    # Lines are those of the expanded text: what stands in them may come from any of its files.
     return read_urdf(
         expansion.text.encode(),
         file=f"{file.label} (expanded)",
         base=file.base,
         tip=file.tip,
         kind="xacro",
-        inputs=tuple(expansion.inputs),
+        inputs=expansion.inputs,
+        places=expansion.places,
         strict=file.strict,
     )

@@ -18,7 +18,6 @@ import re
 import sys
 import types
 import unicodedata  # noqa: F401 - Python imports it for a name like größe: too late there
-import xml.dom.expatbuilder  # minidom imports it when first used: too late behind the fence
 import xml.dom.minidom
 from collections.abc import Callable, Iterator
 from typing import Any, NoReturn
@@ -31,6 +30,7 @@ from ..._files import read_regular
 from ..suggestions import did_you_mean
 from ..xml.xml_tree import checked_xml
 from .xacro_confinement import check_expression, limit_resources, raise_fence
+from .xacro_origins import Origins
 from .xacro_packages import PackageFolders
 
 __all__ = ["main"]
@@ -98,6 +98,7 @@ class Worker:
         self.note_bytes: int = request["note_bytes"]
         self.output_bytes: int = request["output_bytes"]
         self.inputs: list[tuple[str, str]] = []
+        self.origins = Origins()
         self.said = io.StringIO()  # what xacro prints: its warnings
         self.snippet = ""  # the text that is being evaluated, as the file has it
         self.error_files: list[str] = []  # of an error that was found earlier
@@ -113,6 +114,7 @@ class Worker:
         # Without xacro's banner: it carries the file's path, which is no part of the robot.
         return {
             "text": document.toprettyxml(indent="  "),
+            "origins": self.origins.table(document),
             "inputs": self.inputs,
             "warnings": _warnings(self.said.getvalue()),
         }
@@ -149,6 +151,7 @@ class Worker:
         xacro.eval_extension = self._watched(xacro.eval_extension, str)
         xacro.safe_eval = self._watched(evaluate, lambda text: f"${{{text}}}")
         xacro.parse = self._parse
+        xacro.handle_macro_call = self.origins.noting_calls(xacro.handle_macro_call)
         xacro.open = self._open  # all that load_yaml reads goes through it
         xacro.glob = types.SimpleNamespace(glob=self._glob)
 
@@ -189,7 +192,7 @@ class Worker:
             absent.explained = problem
             absent.snippet = filename.rpartition(os.sep)[2]
             raise absent from None
-        return xml.dom.minidom.parseString(checked_xml(data, filename))  # noqa: S318
+        return self.origins.parse(checked_xml(data, filename), self.inputs[-1][0])
 
     def _glob(self, pattern: str) -> list[str]:
         self.packages.check(pattern)

@@ -25,6 +25,7 @@ from ..._files import read_regular
 from ..package_search import with_linked_sources
 from ..ros_packages import PackageMap
 from ..xml.xml_tree import checked_xml
+from .xacro_places import FileNames, SourcePlaces
 
 __all__ = ["Expansion", "expand_xacro"]
 
@@ -45,11 +46,13 @@ class Expansion:
     text : the URDF
     inputs : (name, SHA-256) of every file that was read, the robot file first; a file in a package
         is named by its package:// URI, which is the same on every machine
+    places : where its elements were written
     warnings : what xacro remarked
     """
 
     text: str
     inputs: tuple[tuple[str, str], ...]
+    places: SourcePlaces
     warnings: tuple[str, ...] = ()
 
 
@@ -59,12 +62,14 @@ def expand_xacro(
     arguments: Mapping[str, str],
     packages: PackageMap,
     seconds: float = 20.0,
+    label: str | None = None,
 ) -> Expansion:
     """Expand a xacro file.
 
     arguments : values for its <xacro:arg>s; one that the file does not know is an error
     packages : answers $(find …), and says which folders may be read besides the file's own
     seconds : wall-clock time that the expansion may take [s]
+    label : what places call the file (default: its path)
 
     Raises ModelError, with file and line wherever they can be told.
     """
@@ -98,14 +103,15 @@ def expand_xacro(
         answer = json.loads(data[_NOTE_BYTES:])
         if "error" in answer:
             raise _error(answer["error"], answer["files"], answer["snippet"], shown)
-        names = _Names(str(robot), str(path), packages)
+        names = FileNames(str(robot), label or str(path), packages)
         checked_xml(str(answer["text"]).encode(), f"{path} (expanded)")
         return Expansion(
             str(answer["text"]),
-            tuple((names.of(str(file)), str(digest)) for file, digest in answer["inputs"]),
+            tuple((names.of_input(str(file)), str(digest)) for file, digest in answer["inputs"]),
+            SourcePlaces(answer["origins"], names),
             tuple(map(str, answer["warnings"])),
         )
-    except (ValueError, TypeError, KeyError):
+    except (ValueError, TypeError, LookupError):
         # Only an expression that got hold of the process could make this happen.
         raise _ended_error(
             _EndedError("the expansion ended without a result", data), shown
@@ -202,21 +208,3 @@ def _place(files: Sequence[str], snippet: str) -> tuple[str, int | None]:
             if words and found:
                 return file, text.count("\n", 0, found.start()) + 1
     return files[0], None
-
-
-class _Names:
-    """What a file is called in a report."""
-
-    def __init__(self, robot: str, given: str, packages: PackageMap) -> None:
-        self.robot = robot
-        self.given = given
-        self.packages = packages
-
-    def of(self, file: str) -> str:
-        for name, folders in self.packages.folders.items():
-            for folder in folders:
-                if Path(file).is_relative_to(folder):
-                    return f"package://{name}/{Path(file).relative_to(folder).as_posix()}"
-        if file == self.robot:
-            return self.given
-        return os.path.relpath(file, Path(self.robot).parent)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from xml.parsers import expat
 
@@ -83,6 +83,7 @@ class XmlNode:
     """One element.
 
     tag : with its namespace's prefix, as written;  offset : of its start tag in `file` [bytes]
+    source : where it was written, if `file` was made from other files
     """
 
     tag: str
@@ -91,6 +92,7 @@ class XmlNode:
     offset: int
     children: list[XmlNode] = field(default_factory=list)
     text: str = ""
+    source: Place | None = None
 
     def get(self, attribute: str) -> str | None:
         """An attribute's text, None where it is left out."""
@@ -109,7 +111,10 @@ class XmlNode:
             stack += reversed(node.children)
 
     def place(self, attribute: str | None = None, element: str = "") -> Place:
-        """Where the element begins, or where the value of one of its attributes does."""
+        """Where the element begins, or where the value of one of its attributes does.
+
+        In a text made from other files: where the element was written, and by which way it came.
+        """
         offset = self.offset
         if attribute is not None:
             # The element has the attribute, so the first one after its start is its own.
@@ -117,7 +122,10 @@ class XmlNode:
             found = re.compile(pattern).search(self.file.data, offset)
             offset = offset if found is None else found.end()
         line, column = self.file.line_column(offset)
-        return Place(self.file.name, line, column, element)
+        here = Place(self.file.name, line, column, element)
+        if self.source is None:
+            return here
+        return replace(self.source, element=element, via=(*self.source.via, here))
 
 
 def checked_xml(data: bytes, file: str) -> bytes:
