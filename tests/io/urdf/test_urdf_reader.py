@@ -28,7 +28,7 @@ ROBOTS = [
     ("xarm7.urdf", {}),
     ("z1.urdf", {}),
     ("z1.urdf", {"tip": "gripperStator"}),
-    ("so100.urdf", {"tip": "wrist"}),
+    ("so100.urdf", {"tip": "jaw"}),
     ("double_pendulum_continuous.urdf", {}),
     ("talos_left_arm.urdf", {"tip": "wrist_left_ft_link"}),
     ("baxter.urdf", {"base": "torso", "tip": "right_gripper"}),
