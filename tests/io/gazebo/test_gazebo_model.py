@@ -104,8 +104,11 @@ def test_what_lies_outside_the_arm_is_held_where_ur5check_holds_it():
 
 def test_gravity_is_turned_into_the_worlds_frame():
     """The torso leans by 0.5 rad: straight down for the arm is aslant in the world."""
+    arm = swinging_arm()
+    np.testing.assert_allclose(model_of(arm).gravity, [0.0, 0.0, -9.81], atol=1e-15)
     leaning = 9.81 * np.array([-np.sin(0.5), 0.0, -np.cos(0.5)])
-    np.testing.assert_allclose(model_of(swinging_arm()).gravity, leaning, atol=1e-15)
+    along_z = arm.with_gravity((0.0, 0.0, -9.81))
+    np.testing.assert_allclose(model_of(along_z).gravity, leaning, atol=1e-15)
 
 
 def test_other_peoples_control_is_left_out_and_nothing_else():
