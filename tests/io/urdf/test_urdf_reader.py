@@ -219,7 +219,7 @@ def test_bytes_that_are_no_xml_are_refused_before_anything_else() -> None:
         ("ur3.urdf", None, "XML104", "robot"),
         ("allegro_left_hand.urdf", "link_11.0_tip", "INE103", "link 'link_11.0'"),
         ("romeo_laas_small.urdf", "l_wrist", "INE103", "link 'LShoulderYaw_link'"),
-        ("icub.urdf", "head", "INE106", "link 'head'"),
+        ("icub.urdf", "head", "INE106", "link 'neck_1'"),
         ("pr2.urdf", "head_tilt_link", "INE103", "link 'sensor_mount_link'"),
     ],
 )
