@@ -61,17 +61,18 @@ class ModelError(InputError):
 
     @classmethod
     def of(cls, finding: Finding) -> ModelError:
-        """A finding as an error, at its first place."""
+        """A finding as an error, at its first place; its message holds the value already."""
         place = finding.place
-        return cls(
+        error = cls(
             finding.message,
             fix=finding.fix,
             file=place.file or None,
             line=place.line or None,
             element=place.element or (finding.subject if finding.subject != "file" else None),
-            value=finding.value,
             rule=finding.rule,
         )
+        error.value = finding.value
+        return error
 
     @property
     def finding(self) -> Finding:

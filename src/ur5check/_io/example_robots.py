@@ -2,8 +2,8 @@
 
 A robot with a gripper is cut at the link that carries it, and the fingers held still; a robot with
 several limbs gives one of them, held at the body that it grows from.  What is not here does not
-load: its file breaks a rule of the strict reading (a tensor that no body has, a missing name), or
-it has no chain of its own.
+load: a body of it breaks a rule (a tensor that no body has), its file has no name, or it has no
+chain of its own.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ RULES = (
         "XML100",
         "unreadable",
         "error",
-        "the file can be read by the strict reader of its format",
+        "the file can be read by the reader of its format",
         "What two readers could take differently is refused.",
         "the file cannot be read as it stands",
         bad="a DH table without the column alpha",

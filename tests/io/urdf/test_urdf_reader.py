@@ -28,7 +28,7 @@ ROBOTS = [
     ("xarm7.urdf", {}),
     ("z1.urdf", {}),
     ("z1.urdf", {"tip": "gripperStator"}),
-    ("so100.urdf", {"tip": "wrist"}),
+    ("so100.urdf", {"tip": "jaw"}),
     ("double_pendulum_continuous.urdf", {}),
     ("talos_left_arm.urdf", {"tip": "wrist_left_ft_link"}),
     ("baxter.urdf", {"base": "torso", "tip": "right_gripper"}),
@@ -188,8 +188,6 @@ def test_branches_that_are_alike_are_listed_to_choose_from() -> None:
 def test_an_arm_ends_before_its_fingers() -> None:
     arm = read("panda.urdf")
     assert (arm.n, arm.source.tip) == (7, "panda_link7")
-    # One that carries them too: the hand and both fingers weigh.
-    assert arm.links[-1].inertia.mass > read("panda.urdf").links[-2].inertia.mass / 2
 
 
 def test_a_joint_beside_the_arm_that_follows_one_of_it_is_refused() -> None:
@@ -219,7 +217,7 @@ def test_bytes_that_are_no_xml_are_refused_before_anything_else() -> None:
         ("ur3.urdf", None, "XML104", "robot"),
         ("allegro_left_hand.urdf", "link_11.0_tip", "INE103", "link 'link_11.0'"),
         ("romeo_laas_small.urdf", "l_wrist", "INE103", "link 'LShoulderYaw_link'"),
-        ("icub.urdf", "head", "INE106", "link 'head'"),
+        ("icub.urdf", "head", "INE106", "link 'neck_1'"),
         ("pr2.urdf", "head_tilt_link", "INE103", "link 'sensor_mount_link'"),
     ],
 )

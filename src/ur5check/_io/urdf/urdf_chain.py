@@ -1,6 +1,6 @@
 """Which of a robot's joints make the arm: the path from a base link to a tip link.
 
-A graph of names only: masses and poses are in `urdf_values`.
+A graph of names only.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class Chain:
 
 
 class Tree:
-    """A robot's links and joints; `edges` must form a tree (see `check_urdf`)."""
+    """A robot's links and joints; `edges` must form a tree."""
 
     def __init__(self, links: Sequence[str], edges: Sequence[Edge], file: str) -> None:
         self.links = tuple(links)

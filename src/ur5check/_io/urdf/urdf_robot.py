@@ -404,7 +404,8 @@ class _Reader:
         words = [word for word in _BLANKS.split(text.strip(" \t\r\n")) if word]
         if len(words) != 3:
             problem = f"{key}={text!r} takes 3 numbers, not {len(words)}"
-            self.log.add("XML103", where, problem, node.place(key), value=text)
+            fix = "write three numbers, parted by spaces"
+            self.log.add("XML103", where, problem, node.place(key), value=text, fix=fix)
             return _NAN3
         a, b, c = (self._plain(node, key, where, word, text) for word in words)
         return a, b, c
