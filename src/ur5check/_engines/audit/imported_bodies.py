@@ -145,8 +145,8 @@ def _number_by_number(part: _Part, n: int, i: int, tolerance: Array) -> list[Imp
     if part.imported[0] <= 0.0 or _total(part.written)[0] <= 0.0:
         delta = part.imported - _total(part.written)
         if abs(delta[0]) <= tolerance[0]:  # a negative mass has no centre: its first moment
-            moments = (part.imported[1:4] - delta[1:4], part.imported[1:4])
-            words = (f"first moment {_list(moment)} kg m" for moment in moments)
+            before, after = part.imported[1:4] - delta[1:4], part.imported[1:4]
+            words = (f"first moment {_list(before)} kg m", f"first moment {_list(after)} kg m")
             return [ImportDifference("com-moved", where, *words, i, _at_link(delta, n, i))]
         return [_named("mass-changed", part.written[0], f"{part.imported[0]:.4g} kg", n, i, delta)]
     imported, written = map(Inertia.from_parameters, (part.imported, _total(part.written)))
