@@ -70,6 +70,17 @@ def test_an_acceptance_that_covers_nothing_is_stale(tmp_path):
     assert [a.rule for a in found.stale] == ["INE109"]
 
 
+def test_an_acceptance_of_what_engines_do_is_stale_only_where_they_were_asked(tmp_path):
+    c = configuration(tmp_path, ACCEPTED.replace("INE109", "ENG201"))
+    assert not c.sort(FOUND, "x.urdf", today=DAY).stale
+    assert [a.rule for a in c.sort(FOUND, "x.urdf", today=DAY, engines=True).stale] == ["ENG201"]
+
+
+def test_engines_are_named_in_a_configuration(tmp_path):
+    assert configuration(tmp_path, "").engines == ()
+    assert configuration(tmp_path, "engines = ['all', 'drake']").engines == ("all", "drake")
+
+
 def test_another_links_finding_is_not_accepted(tmp_path):
     text = ACCEPTED.replace("link 'a'", "link 'b'")
     assert rules(configuration(tmp_path, text).sort(FOUND, "x.urdf", today=DAY).open) == rules(
@@ -84,6 +95,9 @@ def test_another_links_finding_is_not_accepted(tmp_path):
         "ignore = ['FOO']",
         "fail-level = 'grave'",
         "unknown = 1",
+        "engines = 'mujoco'",
+        "engines = ['bullet']",
+        "engines = [1]",
         "[[accepted]]\nrule = 'INE109'\nsubject = 'x'",
         "[[accepted]]\nsubject = 'x'\nreason = 'y'",
         "[[accepted]]\nrule = 'INE109'\nreason = 'y'\nuntil = 'never'",

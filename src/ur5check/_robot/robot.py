@@ -249,6 +249,16 @@ class Robot:
             reached += [joint.child for joint in self.below[name] if not joint.moves]
 
     @cached_property
+    def depth(self) -> int:
+        """The most joints between a root and a link."""
+        depth: dict[str, int] = {}
+        for root in self.roots:
+            for name in self.down(root):
+                above = self.above.get(name)
+                depth[name] = 0 if above is None else depth[above.parent] + 1
+        return max(depth.values(), default=0)
+
+    @cached_property
     def mass(self) -> float:
         """Of all links, without those whose mass could not be read [kg]."""
         masses = [link.inertial.mass for link in self.links if link.inertial is not None]

@@ -14,10 +14,17 @@ from .._robot.robot import Robot
 from .._robot.robot_tree import RobotTree
 from .._rules.finding_log import finding_of
 
-__all__ = ["ALL_ENGINES", "engines_asked", "import_findings"]
+__all__ = ["ALL_ENGINES", "DEEPEST", "engines_asked", "import_findings"]
+
+#: urdfdom, which most engines read with, calls itself for every link: 20,000 end the process.
+DEEPEST = 1000
 
 #: The word for all engines that are installed.
 ALL_ENGINES = "all"
+
+#: Families of rules about a file's text and tree: on a file with such an error (a loop of links)
+#: an engine's parser may never end.
+_STRUCTURE = ("XML", "XAC", "TRE")
 
 #: A difference of any parameter shows at almost every state: a few of them do.
 _SAMPLES = 20
@@ -44,13 +51,25 @@ def import_findings(
     if not engines:
         return []
     try:
-        tree = RobotTree.of(robot)
+        reason = _unfit(robot, found)
+        tree = None if reason else RobotTree.of(robot)
     except ModelError as error:
-        reason = f"{error.element or 'the robot'}: {error.problem}"
+        tree, reason = None, f"{error.element or 'the robot'}: {error.problem}"
+    if tree is None:
         return [finding_of("ENG103", f"robot {robot.name!r}", reason)]
     report = compare_engines(tree, engines=engines, samples=_SAMPLES, seed=seed, repairs=False)
     errors = {finding.subject for finding in found if finding.severity == "error"}
     return [_weighed(finding, errors) for finding in report.findings]
+
+
+def _unfit(robot: Robot, found: Sequence[Finding]) -> str:
+    """Why a file is not given to engines; "" where nothing speaks against it."""
+    for finding in found:
+        if finding.severity == "error" and finding.rule.startswith(_STRUCTURE):
+            return f"the file has {finding.rule}: {finding.subject}: {finding.message}"
+    if robot.depth > DEEPEST:
+        return f"the tree is deeper than {DEEPEST:,} links, which engines' parsers are not for"
+    return ""
 
 
 def _weighed(finding: Finding, errors: set[str]) -> Finding:

@@ -22,16 +22,13 @@ from .._robot.serial_arm import SerialArm
 from .._robot.states import random_states
 from .._rules.check import check_rules
 from .._rules.rule_subject import RuleSubject
-from .engine_judgement import engines_asked, import_findings
+from .engine_judgement import DEEPEST, engines_asked, import_findings
 from .validation import ModelValidation, validate_arm
 
 __all__ = ["Judgement", "Level", "judge"]
 
 #: The least severity that fails a model.
 Level = Literal["error", "warning", "note"]
-
-#: urdfdom, which Pinocchio reads with, calls itself for every link: 20,000 end the process.
-_DEEPEST = 1000
 
 #: Findings about bodies that leave the mass matrix without an inverse, or worse: the laws that need
 #: one say nothing then.
@@ -164,9 +161,8 @@ def judge(
         reading.robot, reader, arm=chain, payload=payload, expected_mass=expected_mass
     )
     findings = tuple(check_rules(subject, reading.findings))
-    if _depth(reading.robot) <= _DEEPEST:
-        imports = import_findings(reading.robot, asked, findings, seed)
-        findings = tuple(worst_first([*findings, *imports]))
+    imports = import_findings(reading.robot, asked, findings, seed)
+    findings = tuple(worst_first([*findings, *imports]))
     laws, laws_note = _laws(reading.robot, chain, findings, samples, seed)
     return Judgement(
         str(model),
@@ -196,25 +192,15 @@ def _arm(reading: RobotReading, hold: Mapping[str, float] | None) -> tuple[Seria
     return arm, ""
 
 
-def _depth(robot: Robot) -> int:
-    """The most joints between a root and a link."""
-    depth: dict[str, int] = {}
-    for root in robot.roots:
-        for name in robot.down(root):
-            above = robot.above.get(name)
-            depth[name] = 0 if above is None else depth[above.parent] + 1
-    return max(depth.values(), default=0)
-
-
 def _laws(
     robot: Robot, arm: SerialArm | None, findings: tuple[Finding, ...], samples: int, seed: int
 ) -> tuple[ModelValidation | None, str]:
     if arm is None:
         return None, ""
-    if _depth(robot) > _DEEPEST:
+    if robot.depth > DEEPEST:
         return (
             None,
-            f"the tree is deeper than {_DEEPEST:,} links, which Pinocchio's parser is not for",
+            f"the tree is deeper than {DEEPEST:,} links, which Pinocchio's parser is not for",
         )
     links = {f"link {link.name!r}" for link in arm.links}
     joints = {f"joint {joint.name!r}" for joint in arm.joints}

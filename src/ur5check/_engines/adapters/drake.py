@@ -14,7 +14,7 @@ import numpy as np
 from lxml import etree
 from numpy.typing import ArrayLike
 
-from ..._errors import EngineError
+from ..._errors import EngineError, StateError
 from ..._robot.inertia import Inertia
 from ..._robot.robot_tree import ArmOrTree, tree_links
 from ..._robot.serial_arm import Joint, Limits
@@ -57,7 +57,7 @@ class DrakeEngine:
             try:
                 base, self._tip, self._tip_pose = give(self.plant, arm)
                 self.plant.Finalize()
-            except (RuntimeError, ValueError) as error:
+            except (RuntimeError, ValueError, SystemExit) as error:  # Drake's asserts exit
                 reason = " ".join(str(error).split())
                 raise EngineError(
                     f"Drake cannot take the model of {arm.name!r}: {reason}"
@@ -101,7 +101,10 @@ class DrakeEngine:
         def acceleration(x: Array, v: Array, t: Array) -> Array:
             self._place(x, v)
             self._input.FixValue(self.context, self._ordered(t))
-            derivatives = self.plant.EvalTimeDerivatives(self.context)
+            try:
+                derivatives = self.plant.EvalTimeDerivatives(self.context)
+            except RuntimeError as error:  # a mass matrix without an inverse
+                raise StateError(f"Drake: {error}") from error
             return self._of(derivatives.get_generalized_velocity().CopyToVector())
 
         return self._each(acceleration, q, qd, tau)

@@ -48,7 +48,7 @@ def parameter_rounding(arm: ArmOrTree, *parameters: Array) -> Array:
     parameters : one reading of it or several; the largest counts
     """
     lever = reach(arm)
-    mass = max(pi[0] for pi in parameters)
+    mass = max(abs(pi[0]) for pi in parameters)
     moment = max(np.abs(pi[4:]).max() for pi in parameters) + mass * lever**2
     return np.asarray(_PER_JOINT * _depth(arm) * np.repeat([mass, mass * lever, moment], [1, 3, 6]))
 
@@ -64,8 +64,15 @@ def pose_rounding(arm: ArmOrTree) -> float:
 
 
 def torque_rounding(arm: ArmOrTree, tau: Array) -> float:
-    """Of two torques of this size, each a sum over the links that its joint carries [N m]."""
-    return _PER_JOINT * len(tree_links(arm)) * float(np.abs(tau).max())
+    """Of two torques of this size, each a sum over the links that its joint carries [N m].
+
+    The audit carries every body to the base frame and back, which rounds its first moment by m L:
+    gravity loads that too, on a robot far from its base.
+    """
+    links = tree_links(arm)
+    mass = sum(abs(each.link.inertia.mass) for each in links)
+    weight = mass * float(np.linalg.norm(arm.gravity)) * reach(arm)
+    return _PER_JOINT * len(links) * max(float(np.abs(tau).max()), weight)
 
 
 def same_number(a: float | None, b: float | None) -> bool:

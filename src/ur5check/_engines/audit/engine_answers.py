@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..._errors import StateError
 from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..engine import Engine
@@ -19,7 +20,8 @@ class Answers:
 
     torque : τ(q, q̇, q̈), shape (N, n) [N m];  mass : M, shape (N, n, n) [kg m²]
     bias : C q̇ + g, shape (N, n) [N m]
-    acceleration : q̈ under the same torques for all engines, shape (N, n) [rad/s²]
+    acceleration : q̈ under the same torques for all engines, shape (N, n) [rad/s²]; nan where the
+        mass matrix has no inverse
     tool : its position, shape (N, 3) [m]
     """
 
@@ -60,9 +62,16 @@ def answers_of(key: str, engine: Engine, states: States, tau: Array) -> Answers:
         np.asarray(engine.inverse_dynamics(q, qd, qdd)),
         np.asarray(engine.mass_matrix(q)),
         np.asarray(engine.bias_torque(q, qd)),
-        np.asarray(engine.forward_dynamics(q, qd, tau)),
+        _accelerations(engine, states, tau),
         np.asarray(engine.forward_kinematics(q))[:, :3, 3],
     )
+
+
+def _accelerations(engine: Engine, states: States, tau: Array) -> Array:
+    try:
+        return np.asarray(engine.forward_dynamics(states.q, states.qd, tau))
+    except (StateError, np.linalg.LinAlgError):
+        return np.full_like(tau, np.nan)
 
 
 def answer_difference(a: Answers, b: Answers) -> AnswerDifference:

@@ -8,6 +8,7 @@ from ..._errors import EngineError
 from ..._robot.robot_tree import ArmOrTree
 from ..._robot.states import States
 from ..._robot.transforms import Array
+from ..captured_warnings import captured_output
 from ..engine import Engine
 from ..registry import REGISTRY, engine_class, make_engine
 from .engine_answers import Answers, answers_of
@@ -81,7 +82,8 @@ def with_answers(reading: Reading, states: States, tau: Array, gravity: Array) -
     """The same with the engine's answers, torque effects, and the explanation of the answers."""
     if reading.engine is None or reading.imported is None:
         return reading
-    answers = answers_of(reading.key, reading.engine, states, tau)
+    with captured_output():  # DART prints at every state where M has no inverse
+        answers = answers_of(reading.key, reading.engine, states, tau)
     return replace(
         reading,
         imported=with_torque_effects(reading.imported, states),

@@ -141,8 +141,13 @@ def _named(
 
 def _number_by_number(part: _Part, n: int, i: int, tolerance: Array) -> list[ImportDifference]:
     """Mass, centre of mass and tensor, each with its share of Δπ (`_comparison.shapley`)."""
+    where = f"link {part.written[0].name!r}"
     if part.imported[0] <= 0.0 or _total(part.written)[0] <= 0.0:
         delta = part.imported - _total(part.written)
+        if abs(delta[0]) <= tolerance[0]:  # a negative mass has no centre: its first moment
+            before, after = part.imported[1:4] - delta[1:4], part.imported[1:4]
+            words = (f"first moment {_list(before)} kg m", f"first moment {_list(after)} kg m")
+            return [ImportDifference("com-moved", where, *words, i, _at_link(delta, n, i))]
         return [_named("mass-changed", part.written[0], f"{part.imported[0]:.4g} kg", n, i, delta)]
     imported, written = map(Inertia.from_parameters, (part.imported, _total(part.written)))
 
@@ -155,7 +160,6 @@ def _number_by_number(part: _Part, n: int, i: int, tolerance: Array) -> list[Imp
         ("com-moved", f"{_list(written.com)} m", f"{_list(imported.com)} m"),
         ("tensor-changed", f"{_moments(written)} kg m²", f"{_moments(imported)} kg m²"),
     ]
-    where = f"link {part.written[0].name!r}"
     found = [
         ImportDifference(kind, where, before, after, i, _at_link(delta, n, i))
         for (kind, before, after), delta in zip(texts, shares(parameters, 3), strict=True)
