@@ -82,8 +82,6 @@ def load(
 def _read(file: ModelFile, form: ModelFormat) -> SerialArm:
     if file.path.suffix.lower() == ".xml":
         form = _format_by_root(file)
-    given = {"base": file.base, "tip": file.tip, "arguments": file.arguments}
-    _refuse(form.noun, **{key: given[key] for key in given if key not in form.options})
     return form.read(file)
 
 

@@ -16,7 +16,8 @@ from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
 from .._rules.finding_log import FindingLog, finding_of
 from .arm_names import tip_of_arm
-from .formats import format_by_suffix
+from .formats import FORMATS, format_by_suffix
+from .model_format import ModelFile
 from .package_search import known_packages
 from .ros_packages import PackageMap
 from .shipped_models import SHIPPED_MODELS
@@ -167,7 +168,7 @@ def _read(
         return _xacro(here, arguments)
     if kind == "urdf":
         return _urdf(here, here.data, "urdf", here.inputs)
-    return _one_chain(here, base, tip)
+    return _one_chain(here, kind, base, tip)
 
 
 def _kind(here: _File) -> str:
@@ -250,13 +251,12 @@ def _xacro(file: _File, arguments: Mapping[str, str]) -> RobotReading:
     return _urdf(file, text, "xacro", expansion.inputs, expansion.places)
 
 
-def _one_chain(file: _File, base: str | None, tip: str | None) -> RobotReading:
+def _one_chain(file: _File, kind: str, base: str | None, tip: str | None) -> RobotReading:
     """Formats whose reader gives one chain, and stops at the first fault."""
-    from .loading import load
     from .robot_of_arm import robot_of_arm
 
     try:
-        arm = load(file.path, base=base, tip=tip)
+        arm = FORMATS[kind].read(ModelFile(file.path, file.label, file.data, base, tip))
     except ModelError as error:
         return file.nothing(error.finding)
     return RobotReading(

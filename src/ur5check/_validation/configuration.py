@@ -118,7 +118,10 @@ class Configuration:
         stale = [
             a
             for a in self.accepted
-            if a not in used and _matches(file, a.file) and a.rule.startswith("CMP") == pair
+            if a not in used
+            and _matches(file, a.file)
+            and a.rule.startswith("CMP") == pair
+            and (not pair or a.subject in ("", file))  # a call may compare other pairs
         ]
         return Sorted(tuple(kept), tuple(accepted), tuple(stale))
 
