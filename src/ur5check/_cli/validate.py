@@ -1,10 +1,12 @@
 """Judge models: what is wrong in their files, in bodies, joints and shapes, worst first, each with
 its place and what to do.  Then check the computation of each arm against Pinocchio.
 
-Two models are also compared.  Many files, or folders, give a table.  Without a model the paper's
-tables and its appendix URDF are judged; models/ur5check.toml accepts their known difference.
+Two models are also compared.  Many files, or folders, give a table; each is compared with a model
+that --against names.  Without a model the paper's tables and its appendix URDF are judged;
+models/ur5check.toml accepts their known difference.
 
-Exit code 0 if all pass, 1 if there is a finding at or above --fail-level, 2 for wrong usage.
+Exit code 0 if all pass and agree, 1 if there is a finding at or above --fail-level or a difference
+that is not accepted, 2 for wrong usage.
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ from __future__ import annotations
 import argparse
 import os
 import shlex
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,7 +34,7 @@ from .output import check_output, emit, format_of, rendered
 if TYPE_CHECKING:
     from .._validation.configuration import Configuration
     from .._validation.validation import Validation
-    from .._validation.verdict import PairVerdict, Request, Verdict
+    from .._validation.verdict import Request, VerdictSet
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -43,6 +46,7 @@ examples:
   ur5check validate my_arm.urdf.xacro --arg prefix:=left_ --expect-mass 18.4
   ur5check validate old.urdf new.urdf --full -o report.md
   ur5check validate descriptions/ --format json -o findings.json
+  ur5check validate build/*.urdf --against vendor.urdf
 """
 
 #: States at which the computation is checked: of one or two models, and of each of many.
@@ -55,6 +59,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "models", nargs="*", metavar="MODEL", help="models, or folders (default: paper appendix)"
     )
     parser.add_argument("--full", action="store_true", help="show all findings and all tables")
+    parser.add_argument(
+        "--against", metavar="MODEL", help="compare each model's torques with this one's"
+    )
     parser.add_argument(
         "--fail-level",
         choices=("error", "warning", "note"),
@@ -100,8 +107,9 @@ def run(args: argparse.Namespace) -> int:
     models = ["paper", "appendix"] if paper else files_under(args.models)
     if not models:
         raise UsageError(f"{', '.join(args.models)}: no .urdf or .urdf.xacro file is in there")
+    named = [*models, *([] if args.against is None else [args.against])]
     packages = name_value_pairs(args.package, "--package", "=")
-    check_output(args.output, [file for m in models for file in input_files(m, (), packages)])
+    check_output(args.output, [file for m in named for file in input_files(m, (), packages)])
     if args.config is not None:
         configuration = read_configuration(Path(args.config))
     elif paper:
@@ -118,25 +126,24 @@ def run(args: argparse.Namespace) -> int:
     jobs = (os.cpu_count() or 1) if args.jobs is None else args.jobs
     if jobs < 1:
         raise UsageError(f"--jobs {jobs}: give one or more")
-    results = list(
-        verdicts(
-            requests,
-            configuration,
-            args.fail_level,
-            jobs=jobs if len(requests) > 2 else 1,
-            progress=lambda line: progress(args.quiet, line),
-        )
+
+    def say(line: str) -> None:
+        progress(args.quiet, line)
+
+    jobs = jobs if len(requests) > 2 else 1
+    results = list(verdicts(requests, configuration, args.fail_level, jobs=jobs, progress=say))
+    reference = None
+    if args.against is not None:
+        asked = replace(requests[0], model=args.against, base=None, tip=None, arm=None, hold=())
+        (reference,) = verdicts([asked], configuration, args.fail_level, progress=say)
+    verdict_set = compare_verdicts(results, reference, configuration, progress=say)
+    read = [(j.model, j.robot) for j in verdict_set.read]
+    check_output(
+        args.output,
+        [file for m, x in read if x is not None for file in input_files(m, x.inputs, packages)],
     )
-    pair = None
-    if len(results) == 2:
-        progress(args.quiet, f"comparing {models[0]} with {models[1]}")
-        a, b = results
-        pair = compare_verdicts(a, b, configuration, requests[0].samples, args.seed)
-    robots = [(v.judgement.model, v.judgement.robot) for v in results]
-    read = [file for m, x in robots if x is not None for file in input_files(m, x.inputs, packages)]
-    check_output(args.output, read)
-    emit(_text(args, results, pair, configuration, _command(args)), args.output)
-    return 0 if all(v.passed for v in results) and (pair is None or pair.passed) else 1
+    emit(_text(args, verdict_set, configuration, _command(args)), args.output)
+    return 0 if verdict_set.passed else 1
 
 
 def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
@@ -177,6 +184,8 @@ def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
 def _command(args: argparse.Namespace) -> str:
     """The command of this report; the file of --config as it was given."""
     words = [command_line("validate", args, tuple(args.models)), "--fail-level", args.fail_level]
+    if args.against is not None:
+        words += ["--against", shlex.quote(args.against)]
     if args.config is not None:
         words += ["--config", shlex.quote(args.config)]
     if args.expect_mass is not None:
@@ -200,35 +209,31 @@ def _papers_configuration() -> Configuration:
 
 
 def _text(
-    args: argparse.Namespace,
-    results: list[Verdict],
-    pair: PairVerdict | None,
-    configuration: Configuration,
-    command: str,
+    args: argparse.Namespace, verdicts: VerdictSet, configuration: Configuration, command: str
 ) -> str:
     from .._reports.validate_json import validate_json
     from .._reports.verdict_document import verdict_document
     from .._reports.verdict_text import verdicts_text
 
-    laws = _laws(args, results, pair)
+    laws = _laws(args, verdicts)
     form = format_of(args.format, args.output)
     if form.name == "text" and not args.full and args.output is None:
-        return verdicts_text(results, pair)
+        return verdicts_text(verdicts)
     tables = rendered(
         form,
         args.output,
-        document=lambda: verdict_document(results, pair, laws, configuration, command=command),
+        document=lambda: verdict_document(verdicts, laws, configuration, command=command),
         report=lambda: validate_json(
-            laws, verdicts=results, pair=pair, configuration=configuration, command=command
+            laws, verdicts=verdicts, configuration=configuration, command=command
         ),
     )
-    return f"{verdicts_text(results, pair, full=True)}\n{tables}" if form.name == "text" else tables
+    return f"{verdicts_text(verdicts, full=True)}\n{tables}" if form.name == "text" else tables
 
 
-def _laws(args: argparse.Namespace, results: list[Verdict], pair: PairVerdict | None) -> Validation:
+def _laws(args: argparse.Namespace, verdicts: VerdictSet) -> Validation:
     """The laws of every arm that was computed, as one result."""
     from .._validation.validation import Validation
 
-    checked = tuple(v.judgement.laws for v in results if v.judgement.laws is not None)
-    pairs = () if pair is None or pair.comparison is None else (pair.comparison,)
-    return Validation(checked, pairs, results[0].judgement.samples, args.seed)
+    checked = tuple(v.judgement.laws for v in verdicts.models if v.judgement.laws is not None)
+    pairs = tuple(pair.comparison for pair in verdicts.pairs if pair.comparison is not None)
+    return Validation(checked, pairs, verdicts.models[0].judgement.samples, args.seed)

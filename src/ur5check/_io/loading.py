@@ -83,14 +83,8 @@ def load(
         base, tip = (entry.base if base is None else base), (entry.tip if tip is None else tip)
     data = _bytes(path, label)
     form = format_of_text(form, path, data, label)
-    read = _read(ModelFile(path, label, data, base, tip, packages, arguments, strict), form)
+    read = form.read(ModelFile(path, label, data, base, tip, packages, arguments, strict))
     return read if entry is None else replace(read, name=entry.name)
-
-
-def _read(file: ModelFile, form: ModelFormat) -> SerialArm:
-    given = {"base": file.base, "tip": file.tip, "arguments": file.arguments}
-    _refuse(form.noun, **{key: given[key] for key in given if key not in form.options})
-    return form.read(file)
 
 
 def _refuse(what: str, **options: object) -> None:

@@ -8,6 +8,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .._errors import UsageError
+
 if TYPE_CHECKING:
     from .._robot.serial_arm import SerialArm
 
@@ -61,7 +63,13 @@ class ModelFormat:
     xml_root: str = ""
 
     def read(self, file: ModelFile) -> SerialArm:
-        """The arm in a file.  Raises ModelError for what is wrong in it."""
+        """The arm in a file.
+
+        Raises ModelError for what is wrong in it, UsageError for an option without a meaning.
+        """
+        for option in ("base", "tip", "arguments"):
+            if getattr(file, option) and option not in self.options:
+                raise UsageError(f"{option}= has no meaning for {self.noun}; leave it out")
         arm: SerialArm = _function(self.reader)(file)
         return arm
 

@@ -16,6 +16,7 @@ from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
 from .arm_names import tip_of_arm
 from .formats import format_by_suffix, format_of_text
+from .model_format import ModelFile, ModelFormat
 from .package_search import known_packages
 from .ros_packages import PackageMap
 from .shipped_models import SHIPPED_MODELS
@@ -159,7 +160,7 @@ def _read(
         return _xacro(here, arguments)
     if form.kind == "urdf":
         return _urdf(here, here.data, "urdf", here.inputs)
-    return _one_chain(here, base, tip)
+    return _one_chain(here, form, base, tip)
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,13 +217,12 @@ def _xacro(file: _File, arguments: Mapping[str, str]) -> RobotReading:
     return _urdf(file, text, "xacro", expansion.inputs, expansion.places)
 
 
-def _one_chain(file: _File, base: str | None, tip: str | None) -> RobotReading:
+def _one_chain(file: _File, form: ModelFormat, base: str | None, tip: str | None) -> RobotReading:
     """Formats whose reader gives one chain, and stops at the first fault."""
-    from .loading import load
     from .robot_of_arm import robot_of_arm
 
     try:
-        arm = load(file.path, base=base, tip=tip)
+        arm = form.read(ModelFile(file.path, file.label, file.data, base, tip))
     except ModelError as error:
         return file.nothing(error.finding)
     return RobotReading(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Literal
 
 import msgspec
@@ -10,7 +9,7 @@ import msgspec
 from .._validation.configuration import Configuration
 from .._validation.law import Outcome
 from .._validation.validation import Validation
-from .._validation.verdict import PairVerdict, Verdict
+from .._validation.verdict import VerdictSet
 from .diff_json import Comparison, comparison_value
 from .json_report import Report, head
 from .json_values import Model, Number, State, model_value, state
@@ -22,11 +21,16 @@ __all__ = ["ValidateReport", "validate_json"]
 
 
 class ValidateVerdict(msgspec.Struct, frozen=True, kw_only=True):
-    """What the computation says of the arms, whatever the findings say of the files."""
+    """The parts of the verdict; null where no file was judged, no pair compared or no arm computed.
 
-    algorithm: bool
-    bodies: bool
-    explained: bool
+    Algorithm, bodies and explained are about the arms that were computed.
+    """
+
+    files: bool | None
+    agreement: bool | None
+    algorithm: bool | None
+    bodies: bool | None
+    explained: bool | None
 
 
 class ValidatedModel(msgspec.Struct, frozen=True, kw_only=True):
@@ -56,13 +60,13 @@ class CheckValue(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class ValidateReport(Report, frozen=True, kw_only=True, tag="ur5check.validate/2"):
-    """Verdicts on files, whether two of them agree; laws, bodies and differences of their arms."""
+    """Verdicts on files, which pairs agree; laws, bodies and differences of their arms."""
 
     passed: bool
     fail_level: Literal["error", "warning", "note"]
     configuration: str | None
     files: list[FileVerdict]
-    agreement: Agreement | None
+    agreements: list[Agreement]
     verdict: ValidateVerdict
     summary: list[str]
     models: list[ValidatedModel]
@@ -73,8 +77,7 @@ class ValidateReport(Report, frozen=True, kw_only=True, tag="ur5check.validate/2
 def validate_json(
     v: Validation,
     *,
-    verdicts: Sequence[Verdict] = (),
-    pair: PairVerdict | None = None,
+    verdicts: VerdictSet | None = None,
     configuration: Configuration | None = None,
     command: str = "",
 ) -> ValidateReport:
@@ -82,30 +85,32 @@ def validate_json(
 
     v : the laws of the arms that were computed;  configuration : what is accepted
     """
-    arms = [model.arm for model in v.models]
+    judged = verdicts or VerdictSet(())
     accepts = configuration or Configuration()
+    computed = bool(v.models)
     return ValidateReport(
         **head(
-            () if verdicts else arms,
+            [model.arm for model in v.models] if verdicts is None else (),
             command,
             seed=v.seed,
             samples=v.samples,
-            files=inputs_of_verdicts(verdicts, accepts),
+            files=inputs_of_verdicts(judged, accepts),
         ),
-        passed=all(x.passed for x in verdicts)
-        and (v.passed if pair is None else pair.passed and v.algorithm_right),
-        fail_level=verdicts[0].fail_level if verdicts else "error",
+        passed=v.passed if verdicts is None else verdicts.passed,
+        fail_level=judged.models[0].fail_level if judged.models else "error",
         configuration=accepts.path or None,
-        files=[file_verdict(x) for x in verdicts],
-        agreement=None if pair is None else agreement_value(pair),
+        files=[file_verdict(x) for x in judged.models],
+        agreements=[agreement_value(pair) for pair in judged.pairs],
         verdict=ValidateVerdict(
-            algorithm=v.algorithm_right,
-            bodies=v.bodies_possible,
-            explained=v.explained,
+            files=all(x.passed for x in judged.models) if judged.models else None,
+            agreement=all(pair.passed for pair in judged.pairs) if judged.pairs else None,
+            algorithm=v.algorithm_right if computed else None,
+            bodies=v.bodies_possible if computed else None,
+            explained=v.explained if v.pairs else None,
         ),
         summary=[
-            *([summarize_verdicts(verdicts, pair)] if verdicts else []),
-            *(summarize(v) if v.models else []),
+            *([] if verdicts is None else [summarize_verdicts(verdicts)]),
+            *(summarize(v) if computed else []),
         ],
         models=[
             ValidatedModel(

@@ -42,7 +42,8 @@ def _bodies(validation: Validation) -> str:
     impossible = [o for o in validation.outcomes if o.about == "body" and not o.passed]
     if impossible:
         return f"A link's inertia belongs to NO REAL BODY: {_first(impossible)}."
-    return "Every link's inertia could belong to a real body."
+    arms = "arm" if len(validation.models) == 1 else "arms"
+    return f"Every link of the computed {arms} could be a real body."
 
 
 def _first(outcomes: list[Outcome]) -> str:

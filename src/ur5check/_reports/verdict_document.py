@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from .._finding import Finding
 from .._validation.configuration import Configuration
 from .._validation.validation import Validation
-from .._validation.verdict import PairVerdict, Verdict
+from .._validation.verdict import Verdict, VerdictSet
 from .document import Column, Document, Row, Section, Table
 from .document import Verdict as Headline
 from .provenance import Provenance
@@ -19,25 +17,23 @@ __all__ = ["verdict_document"]
 
 
 def verdict_document(
-    results: Sequence[Verdict],
-    pair: PairVerdict | None,
+    verdicts: VerdictSet,
     laws: Validation,
     configuration: Configuration,
     *,
     command: str = "",
 ) -> Document:
     """The report of `ur5check validate`.  laws : of the arms that were computed"""
-    good = all(v.passed for v in results) and (pair is None or pair.passed)
-    text = summarize_verdicts(results, pair)
-    sections = [_section(v) for v in results]
-    inputs = inputs_of_verdicts(results, configuration)
-    first = results[0].judgement
+    text = summarize_verdicts(verdicts)
+    sections = [_section(v) for v in verdicts.models]
+    inputs = inputs_of_verdicts(verdicts, configuration)
+    first = verdicts.models[0].judgement
     if laws.models:
         whole = validate_document(laws, command=command)
         sections += whole.sections
     return Document(
-        "Verdict on " + ", ".join(v.judgement.model for v in results[:4]),
-        Headline("PASS" if good else "FAIL", text, good),
+        "Verdict on " + ", ".join(v.judgement.model for v in verdicts.models[:4]),
+        Headline("PASS" if verdicts.passed else "FAIL", text, verdicts.passed),
         (),
         tuple(sections),
         Provenance(inputs, first.seed, first.samples, command),

@@ -14,7 +14,7 @@ import numpy as np
 from .._finding import Finding
 from .._validation.configuration import Sorted
 from .._validation.judgement import Judgement
-from .._validation.verdict import PairVerdict, Verdict
+from .._validation.verdict import PairVerdict, Verdict, VerdictSet
 from .wording import where
 
 __all__ = ["LINES", "WIDTH", "verdict_text", "verdicts_text"]
@@ -22,22 +22,22 @@ __all__ = ["LINES", "WIDTH", "verdict_text", "verdicts_text"]
 LINES, WIDTH = 24, 80
 
 
-def verdicts_text(
-    results: Sequence[Verdict], pair: PairVerdict | None, *, full: bool = False
-) -> str:
+def verdicts_text(verdicts: VerdictSet, *, full: bool = False) -> str:
     """One model: its first screen.  Two: both, shorter, and whether they agree.  Many: a table.
 
     full : all findings of every file
     """
-    if len(results) > 2:
-        table = _summary_table(results)
+    models, pairs = verdicts.models, verdicts.pairs
+    if len(models) > 2 or len(pairs) > 1:
+        table = _summary_table(verdicts)
         if not full:
             return table
-        return "\n".join([*(verdict_text(v, lines=None) for v in results), table])
-    lines = None if full else LINES // len(results) - (1 if pair else 0)
-    texts = [verdict_text(v, lines=lines) for v in results]
-    if pair is not None:
-        texts.append("\n".join(_pair_lines(pair)) + "\n")
+        return "\n".join([*(verdict_text(v, lines=None) for v in models), table])
+    of_pairs = [line for pair in pairs for line in _pair_lines(pair)]
+    lines = None if full else (LINES - len(of_pairs)) // len(models)
+    texts = [verdict_text(v, lines=lines) for v in models]
+    if of_pairs:
+        texts.append("\n".join(of_pairs) + "\n")
     return "\n".join(texts) if full else "".join(texts)
 
 
@@ -46,12 +46,22 @@ def verdict_text(v: Verdict, *, lines: int | None = LINES, width: int = WIDTH) -
     j, s = v.judgement, v.findings
     head = [_headline(j, s, v.passed, width)]
     foot = [line for text in _facts(j, s) for line in _wrapped(text, width, "           ")]
+    if lines is not None:
+        foot = _cut(foot, max(lines - 1 if not s.open else lines // 2, 3))
     if not s.open:
         return "\n".join([*head, *foot]) + "\n"
     tight = lines is not None and lines < LINES
     left = None if lines is None else max(lines - len(head) - len(foot) - (0 if tight else 2), 2)
     gap = [] if tight else [""]
-    return "\n".join([*head, *gap, *_findings(s.open, j.file, left, width), *gap, *foot]) + "\n"
+    shown = _findings(s.open, j.file, left, width)
+    return "\n".join([*head, *gap, *shown, *gap, *foot]) + "\n"
+
+
+def _cut(lines: list[str], most: int) -> list[str]:
+    """The first lines, and how many more there are."""
+    if len(lines) <= most:
+        return lines
+    return [*lines[: most - 1], f"           … {len(lines) - most + 1} more lines (--full)"]
 
 
 def _pair_lines(pair: PairVerdict) -> list[str]:
@@ -162,10 +172,10 @@ def _wrapped(text: str, width: int, indent: str) -> list[str]:
     )
 
 
-def _summary_table(results: Sequence[Verdict], width: int = WIDTH) -> str:
-    """A row a file, and how many passed."""
+def _summary_table(verdicts: VerdictSet, width: int = WIDTH) -> str:
+    """A row a file, how many passed, and which pairs do not agree."""
     rows = []
-    for v in results:
+    for v in verdicts.models:
         j, found = v.judgement, v.findings.open
         counts = [sum(f.severity == word for f in found) for word in ("error", "warning", "note")]
         first = next((f"{f.rule} {f.subject}" for f in found if f.severity == "error"), "")
@@ -174,6 +184,27 @@ def _summary_table(results: Sequence[Verdict], width: int = WIDTH) -> str:
         row = f"{'PASS' if v.passed else 'FAIL'}  {name:34} " + "".join(f"{n:4}" for n in counts)
         rows.append(f"{row} {mass:>8}  {first}"[:width].rstrip())
     head = f"      {'file':34}  err warn note       kg  first error"
-    failed = sum(not v.passed for v in results)
-    total = f"{len(results)} files: {len(results) - failed} pass, {failed} fail"
-    return "\n".join([head, *rows, total]) + "\n"
+    failed = sum(not v.passed for v in verdicts.models)
+    total = len(verdicts.models)
+    rows.append(f"{total} files: {total - failed} pass, {failed} fail")
+    return "\n".join([head, *rows, *_table_of_pairs(verdicts)]) + "\n"
+
+
+def _table_of_pairs(verdicts: VerdictSet) -> list[str]:
+    if verdicts.reference is None:
+        return _wrapped(
+            "agreement: of two models only; --against REFERENCE compares each with one, "
+            "ur5check diff A B explains",
+            WIDTH,
+            "           ",
+        )
+    rows = [
+        line
+        for pair in verdicts.pairs
+        if pair.findings.open or pair.findings.accepted or not pair.passed
+        for line in _pair_lines(pair)
+    ]
+    differ = sum(not pair.passed for pair in verdicts.pairs)
+    agree = len(verdicts.pairs) - differ
+    file = verdicts.reference.judgement.file
+    return [*rows, f"against {file}: {agree} agree or accepted, {differ} differ"]

@@ -126,6 +126,7 @@ class Configuration:
             and _matches(file, a.file)
             and a.rule.startswith("CMP") == pair
             and (engines or not a.rule.startswith("ENG"))
+            and (not pair or a.subject in ("", file))  # a call may compare other pairs
         ]
         return Sorted(tuple(kept), tuple(accepted), tuple(stale))
 

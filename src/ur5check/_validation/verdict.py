@@ -20,7 +20,15 @@ from .configuration import Configuration, Sorted
 from .judgement import Judgement, judge
 from .validation import PairValidation, validate_pair
 
-__all__ = ["PairVerdict", "Request", "Verdict", "compare_verdicts", "files_under", "verdicts"]
+__all__ = [
+    "PairVerdict",
+    "Request",
+    "Verdict",
+    "VerdictSet",
+    "compare_verdicts",
+    "files_under",
+    "verdicts",
+]
 
 #: What a folder is searched for.
 _PATTERNS = ("*.urdf", "*.urdf.xacro")
@@ -140,36 +148,82 @@ class PairVerdict:
         return explained and not self.findings.open
 
 
+@dataclass(frozen=True, eq=False)
+class VerdictSet:
+    """What one call judged.
+
+    pairs : of two models; of each model and the `reference`, where there is one
+    """
+
+    models: tuple[Verdict, ...]
+    pairs: tuple[PairVerdict, ...] = ()
+    reference: Verdict | None = None
+
+    @property
+    def passed(self) -> bool:
+        """Whether every model passes, and every pair agrees or is accepted."""
+        return all(v.passed for v in self.models) and all(pair.passed for pair in self.pairs)
+
+    @property
+    def read(self) -> tuple[Judgement, ...]:
+        """Of every model that was read, the reference last."""
+        last = () if self.reference is None else (self.reference,)
+        return tuple(v.judgement for v in (*self.models, *last))
+
+
 def compare_verdicts(
-    a: Verdict, b: Verdict, configuration: Configuration, samples: int, seed: int
-) -> PairVerdict | None:
-    """Whether two models need the same torques; None where one of them has no arm."""
+    models: Sequence[Verdict],
+    reference: Verdict | None,
+    configuration: Configuration,
+    *,
+    progress: Callable[[str], None] | None = None,
+) -> VerdictSet:
+    """Each model compared with the reference; without one, two models with each other.
+
+    Samples and seed are those of the judgements.
+    """
+    if reference is not None:
+        others = [(reference, v) for v in models if v.judgement.file != reference.judgement.file]
+    else:
+        others = [(models[0], models[1])] if len(models) == 2 else []
+    pairs = []
+    for a, b in others:
+        if progress is not None:
+            progress(f"comparing {a.judgement.model} with {b.judgement.model}")
+        pairs.append(_pair(a.judgement, b.judgement, configuration))
+    return VerdictSet(tuple(models), tuple(pairs), reference)
+
+
+def _pair(a: Judgement, b: Judgement, configuration: Configuration) -> PairVerdict:
+    """Whether two models need the same torques."""
     from .._engines.adapters.pinocchio import PinocchioEngine
 
-    first, second = a.judgement, b.judgement
-    if first.arm is None or second.arm is None:
-        return None
-    arm_a, arm_b = labelled([first.arm, second.arm])
+    if a.arm is None or b.arm is None:
+        label = f"{a.file} and {b.file}"
+        missing = a if a.arm is None else b
+        found = finding_of("CMP002", label, f"{missing.file} has no arm: {missing.arm_note}")
+        return PairVerdict(label, None, configuration.sort([found], label, pair=True))
+    arm_a, arm_b = labelled([a.arm, b.arm])
     label = f"{arm_a.label} and {arm_b.label}"
     try:
-        pair = validate_pair(arm_a, arm_b, PinocchioEngine(arm_b), samples, seed)
+        pair = validate_pair(arm_a, arm_b, PinocchioEngine(arm_b), b.samples, b.seed)
     except (InputError, EngineError) as error:
-        found = [finding_of("CMP002", label, str(error))]
-        return PairVerdict(label, None, configuration.sort(found, label, pair=True))
+        found = finding_of("CMP002", label, str(error))
+        return PairVerdict(label, None, configuration.sort([found], label, pair=True))
     if pair.difference.agrees:
         return PairVerdict(label, pair, configuration.sort([], label, pair=True))
     torques = pair.difference.torques
     joint = int(torques.maximum.argmax())
     largest = float(torques.maximum[joint])
-    finding = finding_of(
+    found = finding_of(
         "CMP001",
         label,
-        f"torques differ by up to {largest:.4g} N m at joint {joint + 1} over {samples:,} random "
+        f"torques differ by up to {largest:.4g} N m at joint {joint + 1} over {b.samples:,} random "
         f"states (RMS {float(torques.rms[joint]):.4g} N m)",
         value=largest,
         bound=0.0,
         unit="N m",
         effect=largest,
-        fix=f"ur5check diff {first.model} {second.model} says which numbers differ",
+        fix=f"ur5check diff {a.model} {b.model} says which numbers differ",
     )
-    return PairVerdict(label, pair, configuration.sort([finding], label, pair=True))
+    return PairVerdict(label, pair, configuration.sort([found], label, pair=True))

@@ -18,6 +18,14 @@ def test_elements_and_attributes_know_line_and_column():
     assert (link.place("x").line, link.place("x").column) == (4, 22)
 
 
+@pytest.mark.parametrize("letter", ["a", "ä", "腕", "🦾"])
+@pytest.mark.parametrize("before", [0, 1, 1023, 1024, 1025, 5000])
+def test_columns_of_a_long_line_count_characters(before, letter):
+    text = f"<r>\n<!--{letter * before}--><a/>{letter * before}<b/></r>".encode()
+    columns = [child.place().column for child in parse_xml(text, "f.urdf").children]
+    assert columns == [before + 8, 2 * before + 12]
+
+
 @pytest.mark.parametrize(
     ("data", "line"),
     [

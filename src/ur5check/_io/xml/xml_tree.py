@@ -11,6 +11,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import accumulate
 from xml.parsers import expat
 
 from ..._errors import ModelError
@@ -40,6 +41,9 @@ _MARKS = (
 )
 CORRECT_XML = "correct the XML; a cut-off file must be fetched again"
 _SAVE_AS_UTF8 = "save the file as UTF-8 without a byte order mark"
+#: Bytes of a UTF-8 character after its first.
+_CONTINUING = bytes(range(0x80, 0xC0))
+_BLOCK = 1024
 _ENCODING = re.compile(rb"""\A<\?xml\s[^>]*?\bencoding\s*=\s*["']([^"']*)["']""")
 
 
@@ -71,11 +75,25 @@ class XmlFile:
     def _starts(self) -> list[int]:
         return [0, *(match.end() for match in re.finditer(rb"\n", self.data))]
 
+    @cached_property
+    def _counts(self) -> list[int]:
+        """How many characters begin before each block: a file may be one line."""
+        blocks = range(0, len(self.data) + 1, _BLOCK)
+        return list(accumulate((_begun(self.data[k : k + _BLOCK]) for k in blocks), initial=0))
+
+    def _characters(self, offset: int) -> int:
+        block, rest = divmod(offset, _BLOCK)
+        return self._counts[block] + _begun(self.data[offset - rest : offset])
+
     def line_column(self, offset: int) -> tuple[int, int]:
         """Line and column, from 1, of a byte; columns count characters."""
         line = bisect_right(self._starts, offset)
-        start = self._starts[line - 1]
-        return line, len(self.data[start:offset].decode("utf-8", "replace")) + 1
+        return line, self._characters(offset) - self._characters(self._starts[line - 1]) + 1
+
+
+def _begun(data: bytes) -> int:
+    """How many UTF-8 characters begin in these bytes."""
+    return len(data.translate(None, _CONTINUING))
 
 
 @dataclass(eq=False)
