@@ -27,17 +27,36 @@ def load(
     packages: Mapping[str, str | Path] | None = None,
     arguments: Mapping[str, str] | None = None,
 ) -> SerialArm:
-    """The arm that `x` stands for.
+    """Read an arm from a file, a shipped model or a `pin.Model`.
 
-    x : the name of a shipped model, the path of a .urdf, .xacro, MJCF .xml, .sdf or DH .toml file,
-        a `pin.Model`, or a `SerialArm`, which comes back as it is
-    base, tip : links (bodies or sites of an MJCF, frames of a pin.Model) between which the arm is
-        taken
-    packages : ROS package names and their folders, for `$(find …)` in a xacro
-    arguments : values for the `xacro:arg`s of a xacro
+    Parameters
+    ----------
+    x : name, path, pin.Model or SerialArm
+        The name of a shipped model, the path of a .urdf, .xacro, MJCF .xml, .sdf or DH .toml file,
+        a `pin.Model`, or a `SerialArm`, which comes back as it is.
+    base, tip : str, optional
+        Links (bodies or sites of an MJCF, frames of a pin.Model) between which the arm is taken.
+    packages : mapping of str to path, optional
+        ROS package names and their folders, for `$(find …)` in a xacro.
+    arguments : mapping of str to str, optional
+        Values for the `xacro:arg`s of a xacro.
 
-    Raises ModelError for what is wrong in a file, UsageError for a name that means nothing and for
-    an option that means nothing for this kind of `x`.
+    Returns
+    -------
+    SerialArm
+
+    Raises
+    ------
+    ModelError
+        For what is wrong in a file.
+    UsageError
+        For a name that means nothing, or an option that means nothing for this kind of `x`.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.load("appendix")
+    <SerialArm 'appendix': 6 joints, from xacro>
     """
     for name, value in (("base", base), ("tip", tip)):
         if value is not None:

@@ -38,7 +38,30 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
 
 
 def equivalence_in_words(equivalence: Equivalence) -> str:
-    """Whether two arms differ only in what torques do not show."""
+    """Whether two arms differ only in parameters without effect on torque, as a sentence.
+
+    Parameters
+    ----------
+    equivalence : Equivalence
+        See `ur5check.equivalence`.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        For another type.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("paper", "paper")
+    >>> found = ur5check.equivalence(pair, ur5check.random_states(6, 5, seed=0))
+    >>> ur5check.equivalence_in_words(found)
+    'Same numbers, same dynamics.'
+    """
     instance("equivalence", equivalence, Equivalence, "see ur5check.equivalence")
     if not equivalence.dynamically_equivalent:
         if float(equivalence.visible.max()) <= TOLERANCE * equivalence.largest:

@@ -59,15 +59,25 @@ _KIND = (0, 1, 1, 1, 2, 2, 2, 2, 2, 2)  # mass, first moment, tensor: their unit
 class Identifiability:
     """Which of an arm's 10 n parameters its torques identify.
 
-    names : "m1", "mx1" … "Izz1", "m2" …, in the order of `SerialArm.parameters`
-    rank : number of base parameters
-    singular_values : of Y over seeded random states, columns scaled by kind, shape (10 n,)
-    gap : smallest kept over largest dropped of them
-    base, dependent : places of the parameters that stand for a combination, and of the others
-    beta : shape (rank, 10 n − rank), with π_base = π[base] + beta @ π[dependent]
-    null_space : shape (10 n, 10 n − rank); column k raises dependent parameter k by one and
-        changes the base parameters so that no torque changes
-    labels : what each parameter is, shape (10 n,)
+    Attributes
+    ----------
+    names : tuple of str, length 10 n
+        "m1", "mx1" … "Izz1", "m2" …, in the order of `SerialArm.parameters`.
+    rank : int
+        Number of base parameters.
+    gap : float
+        Smallest kept over largest dropped singular value.
+    singular_values : ndarray, shape (10 n,)
+        Of Y over seeded random states, columns scaled by kind.
+    base, dependent : tuple of int, lengths rank and 10 n − rank
+        Places of the parameters that stand for a combination, and of the others.
+    beta : ndarray, shape (rank, 10 n − rank)
+        π_base = π[base] + beta @ π[dependent].
+    null_space : ndarray, shape (10 n, 10 n − rank)
+        Column k raises dependent parameter k by one and changes the base parameters so that no
+        torque changes.
+    labels : tuple of str, length 10 n
+        "identifiable", "in combination" or "invisible".
     """
 
     names: tuple[str, ...]
@@ -108,12 +118,37 @@ class Identifiability:
         )
 
     def names_of(self, label: Label) -> tuple[str, ...]:
-        """The parameters with this label."""
+        """The parameters with a label.
+
+        Parameters
+        ----------
+        label : {"identifiable", "in combination", "invisible"}
+
+        Returns
+        -------
+        tuple of str
+        """
         pairs = zip(self.names, self.labels, strict=True)
         return tuple(name for name, own in pairs if own == label)
 
     def base_parameters(self, pi: ArrayLike) -> Array:
-        """π_base of parameters (or of a parameter difference) π, shape (10 n,); shape (rank,)."""
+        """The base parameters π_base of parameters, or of a difference of parameters.
+
+        Parameters
+        ----------
+        pi : array-like, shape (10 n,)
+            In the frames that `identify` was given.
+
+        Returns
+        -------
+        ndarray, shape (rank,)
+            [kg], [kg m] or [kg m²], as the parameters at `base`.
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
+        """
         pi = frozen(pi, (self.columns,))
         return np.asarray(pi[list(self.base)] + self.beta @ pi[list(self.dependent)])
 
@@ -121,6 +156,10 @@ class Identifiability:
         """Each base parameter written out, as "Izz1 + Iyy2 + 0.1806·m3"; coefficients to 4 digits.
 
         A coefficient below SAME_DIRECTION, in SI units, is a rounded digit and is left out.
+
+        Returns
+        -------
+        tuple of str, length rank
         """
         return tuple(
             self.names[place]
@@ -142,10 +181,37 @@ def identify(
 ) -> Identifiability:
     """The base parameters of an arm.  Its inertias play no part, only geometry and gravity.
 
-    seed : of the random states at which Y is evaluated; the result does not depend on it
-    gravity : in the arm's base frame, shape (3,) [m/s²]; its own when None
-    frame : "link", parameters in the frames i, as `SerialArm.parameters` has them; "source", in
-        the frames in which the arm's own file writes them (for a URDF those at the joints)
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    seed : int
+        Of the random states at which Y is evaluated; the result does not depend on it.
+    gravity : array-like, shape (3,), optional
+        In the arm's base frame [m/s²]; its own when None.
+    frame : {"link", "source"}
+        Parameters in the frames i, as `SerialArm.parameters` has them, or in the frames in which
+        the arm's own file writes them (for a URDF those at the joints).
+
+    Returns
+    -------
+    Identifiability
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or an invalid argument.
+
+    References
+    ----------
+    Gautier & Khalil 1990; Mayeda, Yoshida & Osuka 1990; Gautier 1991.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> found = ur5check.identify("paper")
+    >>> found.rank, found.columns
+    (36, 60)
     """
     arm = as_arm(arm)
     choice("frame", frame, ("link", "source"))

@@ -53,13 +53,22 @@ class BudgetItem:
 
 @dataclass(frozen=True, eq=False)
 class ErrorBudget:
-    """A torque difference, what rounding explains of it, and the rest; per joint, shape (n,) [N m].
+    """A torque difference, what rounded numbers explain of it, and the rest.
 
-    items : recomputed ones first, in the order of the steps, then bounds
-    total : RMS of Δτ;  explained : RMS of the sum of all recomputed items
-    remainder, remainder_maximum : RMS and maximum of the unexplained part
-    bound : RMS of all bounds together, taken as independent
-    rounding : what rounding alone makes of a difference
+    Attributes
+    ----------
+    items : tuple of BudgetItem
+        Recomputed ones first, in the order of the steps, then bounds.
+    total : ndarray, shape (n,)
+        RMS of Δτ [N m].
+    explained : ndarray, shape (n,)
+        RMS of the sum of all recomputed items [N m].
+    remainder, remainder_maximum : ndarray, shape (n,)
+        RMS and maximum of the unexplained part [N m].
+    bound : ndarray, shape (n,)
+        RMS of all bounds together, taken as independent [N m].
+    rounding : float
+        What floating-point rounding alone makes of a difference [N m].
     """
 
     items: tuple[BudgetItem, ...]
@@ -78,10 +87,34 @@ class ErrorBudget:
 
 
 def budget(pair: Pair, states: States) -> ErrorBudget:
-    """The torque error due to rounding in a pair of arms, at these states.
+    """The torque error due to rounded numbers in a pair of arms, at these states.
 
     Joint signs and offsets stay those of the pair; its base transform turns gravity and arm
     together and plays no part in torque.
+
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    states : States, shape (N, n)
+        In the coordinates of the pair's first arm.
+
+    Returns
+    -------
+    ErrorBudget
+
+    Raises
+    ------
+    InputError
+        For other types, no state, or states of another number of joints.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> found = ur5check.error_budget(pair, ur5check.random_states(6, 10, seed=0))
+    >>> found.digits_suffice
+    False
     """
     check_pair(pair, states)
     arms: Arms = {"a": pair.a, "b": pair.given_b}
