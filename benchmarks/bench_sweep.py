@@ -32,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     parts = measure(options.blocks, options.repeats)
     total = sum(seconds for name, seconds in parts.items() if not name.startswith("("))
-    print("| a state's | ns | share |\n|---|---:|---:|")
+    print("| per state | ns | share |\n|---|---:|---:|")
     for name, seconds in parts.items():
         share = "" if name.startswith("(") else f"{seconds / total:.1%}"
         print(f"| {name} | {1e9 * seconds:.3g} | {share} |")
@@ -51,12 +51,12 @@ def measure(blocks: int, repeats: int) -> dict[str, float]:
     delta = difference.of(states.q, states.qd, states.qdd)
     span = np.concatenate([states.q[::64]] * 16)  # a map is drawn for 16 blocks at once
     parts: dict[str, Callable[[int], object]] = {
-        "numbers (Philox)": plan.sample.block,
+        "random numbers (Philox)": plan.sample.block,
         f"torques of both arms ({difference.engine})": lambda k: difference.of(
             states.q, states.qd, states.qdd
         ),
         "statistics": lambda k: statistics_of(delta, states, 0, tolerance=plan.tolerance),
-        "(numbers, Sobol)": sobol.block,
+        "(Sobol points instead)": sobol.block,
     }
     seconds = {name: _least(part, blocks, repeats) / BLOCK for name, part in parts.items()}
     seconds["tool position, every 64th"] = _least(lambda k: plan.cells_of(span), 1, repeats) / (

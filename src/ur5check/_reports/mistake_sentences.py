@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from .._arguments import instance
 from .._comparison.arm_pair import Pair, Side
 from .._comparison.diagnosis.cylinder_fit import Cylinder, fit_cylinder
 from .._comparison.diagnosis.diagnosis import Diagnosis, RecognizedMistake
@@ -76,6 +77,8 @@ def sentence(found: RecognizedMistake, pair: Pair) -> str:
     >>> ur5check.mistake_sentence(found.mistakes[0], found.pair)
     'Gravity points up in one of the two'
     """
+    instance("found", found, RecognizedMistake, "see Diagnosis.mistakes")
+    instance("pair", pair, Pair, "see Diagnosis.pair")
     if found.difference is not None:
         return _message(found, pair)
     where = subject(found, pair)
@@ -108,6 +111,7 @@ def advice(found: RecognizedMistake) -> str:
     >>> ur5check.mistake_advice(found.mistakes[0])
     'compare under one gravity: --gravity X Y Z'
     """
+    instance("found", found, RecognizedMistake, "see Diagnosis.mistakes")
     return "; ".join(dict.fromkeys(mistake.repair for mistake in _in_order_of_repairing(found)))
 
 
@@ -137,6 +141,7 @@ def details(found: RecognizedMistake) -> tuple[str, ...]:
     >>> all(len(ur5check.mistake_details(m)) == len(m.links) for m in found.mistakes)
     True
     """
+    instance("found", found, RecognizedMistake, "see Diagnosis.mistakes")
     return tuple(
         f"link {link}: {_detail(explained)}"
         for link, explained in zip(found.links, found.explained, strict=True)
@@ -170,6 +175,8 @@ def remark(mismatch: Mismatch, diagnosis: Diagnosis) -> str:
     >>> ur5check.mismatch_sentence(found.unexplained[0], found)[:56]
     "No single known mistake explains link 3's tensor (append"
     """
+    instance("mismatch", mismatch, Mismatch, "see Diagnosis.unexplained")
+    instance("diagnosis", diagnosis, Diagnosis, "see ur5check.diagnose")
     number = f"link {mismatch.link + 1}'s {_WORDS[mismatch.quantity]}"
     start = f"No single known mistake explains {number}"
     cylinders = []

@@ -28,7 +28,7 @@ class Tolerance:
     """The largest violation of a statement that passes, and the reason.
 
     With `per_joint`, the limit is factor · n · ε · scale: rounding, which grows with the number of
-    joints that a number travels through and with the size of what is added up.  Without, it is
+    joints that a number passes through and with the size of what is added up.  Without, it is
     factor · scale.
     """
 

@@ -42,7 +42,7 @@ __all__ = [
 
 Label = Literal["identifiable", "in combination", "invisible"]
 
-#: The rank is beyond doubt where singular values fall by more than this.  Exact geometry gives some
+#: The rank is certain where singular values fall by more than this.  Exact geometry gives some
 #: 1e11, and rounded angles of 11 digits still 1e8.
 CERTAIN_GAP = 1e6
 
@@ -97,25 +97,13 @@ class Identifiability:
 
     @property
     def weakest(self) -> float:
-        """The smallest kept singular value, as a part of the largest of all."""
+        """The smallest kept singular value, as a share of the largest of all."""
         return float(self.singular_values[self.rank - 1] / self.singular_values[0])
 
     @property
     def certain(self) -> bool:
-        """Whether the gap is huge, and nothing that was kept is all but dropped."""
+        """Whether the rank is certain: `gap` above CERTAIN_GAP, and `weakest` above WEAKEST."""
         return self.gap > CERTAIN_GAP and self.weakest > WEAKEST
-
-    @property
-    def doubt(self) -> str:
-        """Why the rank is not certain; empty where it is."""
-        if self.certain:
-            return ""
-        return (
-            f"rank {self.rank} of {self.columns} is not certain: the weakest direction kept is "
-            f"{self.weakest:.1e} of the strongest and {self.gap:.1e} times what is dropped "
-            f"(wanted: more than {WEAKEST:.0e} and {CERTAIN_GAP:.0e}); some axis or length is all "
-            "but special, by a rounded angle or a tiny offset"
-        )
 
     def names_of(self, label: Label) -> tuple[str, ...]:
         """The parameters with a label.
@@ -240,7 +228,7 @@ def identify(
 def _scale(Y: Array) -> Array:
     """For each column, the largest column of its kind over all links.
 
-    A column is not scaled by its own size: one that a rounded angle has lifted from zero to 1e-9
+    A column is not scaled by its own size: one that a rounded angle has raised from zero to 1e-9
     would look as large as any.
     """
     sizes = np.linalg.norm(Y, axis=0).reshape(-1, 10)

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -25,30 +26,45 @@ from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
 from ..arm_pair import Pair, Side, check_pair
-from .exact_constants import STEPS, Arms
+from .exact_constants import STEPS, Arms, RoundedConstant
 from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
 
-__all__ = ["BudgetItem", "ErrorBudget", "budget"]
+__all__ = ["BudgetItem", "ErrorBudget", "PrintedDigits", "budget"]
 
 _ROUNDING = 64 * float(np.finfo(np.float64).eps)  # as in `attribution`
+
+
+@dataclass(frozen=True)
+class PrintedDigits:
+    """The last printed digit of so many numbers of one arm that differ from the other's."""
+
+    quantity: Literal["inertial parameters", "lengths"]
+    count: int
 
 
 @dataclass(frozen=True, eq=False)
 class BudgetItem:
     """The torque error of one kind of rounding, over N states.
 
-    cause : a clause, as "π/2 written as 1.5707 (4 decimals)"
-    side : the arm that has it;  where : "P1, P4, P5"
-    rms, maximum : per joint, shape (n,) [N m]
-    exact : True for a recomputed difference; False for a bound
+    Attributes
+    ----------
+    cause : RoundedConstant or PrintedDigits
+        What was rounded.
+    side : {"a", "b"}
+        The arm that has it.
+    rms, maximum : ndarray, shape (n,)
+        Of the torque, per joint [N m].
     """
 
-    cause: str
+    cause: RoundedConstant | PrintedDigits
     side: Side
-    where: str
     rms: Array
     maximum: Array
-    exact: bool
+
+    @property
+    def exact(self) -> bool:
+        """Whether the difference was recomputed; otherwise it is a bound."""
+        return isinstance(self.cause, RoundedConstant)
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,9 +144,7 @@ def budget(pair: Pair, states: States) -> ErrorBudget:
             torque[found.side] = _torque(pair, found.side, found.arm, states)
             before, left = left, torque["a"] - torque["b"]
             part = before - left
-            items.append(
-                BudgetItem(found.cause, found.side, found.where, _rms(part), _max(part), exact=True)
-            )
+            items.append(BudgetItem(found.cause, found.side, _rms(part), _max(part)))
     bounds = [*_bounds(pair, states, "a"), *_bounds(pair, states, "b")]
     return ErrorBudget(
         (*items, *bounds),
@@ -159,15 +173,17 @@ def _bounds(pair: Pair, states: States, side: Side) -> Iterator[BudgetItem]:
     Y = torque_regressor(moved, states.q, states.qd, states.qdd)
     inertial = torque_of_inertial_digits(arms[side], numbers, Y)
     lengths = torque_of_lengths(arms[side], numbers, lambda arm: _torque(pair, side, arm, states))
-    for what, parts in (("masses, centres and tensors", inertial), ("lengths", lengths)):
-        if len(parts):
+    digits = (
+        (PrintedDigits("inertial parameters", len(inertial)), inertial),
+        (PrintedDigits("lengths", len(lengths)), lengths),
+    )
+    for cause, parts in digits:
+        if cause.count:
             yield BudgetItem(
-                f"last printed digit of {what}",
+                cause,
                 side,
-                f"{len(parts)} number{'s' if len(parts) > 1 else ''}",
                 np.sqrt((parts**2).sum(axis=0).mean(axis=0) / 3.0),
                 np.abs(parts).sum(axis=0).max(axis=0),
-                exact=False,
             )
 
 
