@@ -8,9 +8,9 @@ are exact, and torques are unchanged to rounding.
 
 `base_parameters.decompose` answers another question.  It takes the rank where the singular values
 fall most, so that an axis tilted by a rounded digit counts as straight: its null space then changes
-the torques of a planar arm, tilted by 1e-9 rad, by 7e-10 of the largest.  Here torques must stay the
-same to rounding (2e-16), so the null space is that of Y unscaled and down to rounding, and a target
-value may also equate two parameters.
+the torques of a planar arm, tilted by 1e-9 rad, by 7e-10 of the largest.  Here torques must stay
+the same to rounding (2e-16), so the null space is that of Y unscaled and down to rounding, and a
+target value may also equate two parameters.
 
 References: Gautier & Khalil (1990) on the free parameters.
 """
