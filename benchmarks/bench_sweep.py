@@ -1,4 +1,4 @@
-"""What a state of a sweep costs, part by part: CPU time of one thread.
+"""CPU time of one thread per state of a sweep, part by part.
 
     python benchmarks/bench_sweep.py [--blocks N] [--repeats N]
 
@@ -21,7 +21,7 @@ from ur5check._sweep.state_sample import BLOCK, RandomSample
 from ur5check._sweep.statistics import statistics_of
 from ur5check._sweep.torque_difference import torque_difference
 
-_MANY = 10**9  # states that the sweep is thought to have
+_MANY = 10**9  # states of the sweep that the plan is made for
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -41,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def measure(blocks: int, repeats: int) -> dict[str, float]:
-    """Seconds a state, of each part of the way of one block."""
+    """Time per state of each part of the computation of one block [s]."""
     plan = ur5check.sweep("paper", "appendix", states=100, tolerance=1.0).plan
     plan = replace(plan, sample=RandomSample(plan.sample.box, _MANY, 0), map_every=64)
     sobol = SobolSample(plan.sample.box, _MANY, 0)

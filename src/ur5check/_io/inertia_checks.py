@@ -36,7 +36,7 @@ class Flaw:
 
 @dataclass(frozen=True)
 class Place:
-    """Where an inertia was written, for the error that speaks of it."""
+    """Where an inertia was written, for an error."""
 
     file: str | None
     element: str

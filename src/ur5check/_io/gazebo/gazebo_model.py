@@ -65,7 +65,7 @@ def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: st
 
     Raises ModelError for a moving link without mass.
     """
-    assert arm.source.urdf is not None  # noqa: S101 - the caller's duty, not the user's
+    assert arm.source.urdf is not None  # noqa: S101 - the caller's error, not the user's
     root = check_urdf(arm.source.urdf.encode("utf-8"), file)
     robot = Robot(root, file)
     chain = robot.tree.chain(arm.source.base, arm.source.tip)

@@ -1,7 +1,7 @@
 """The process in which xacro runs: a request on stdin, an answer on stdout.
 
 Started by `xacro_file.expand_xacro` and by nothing else: it changes xacro's own functions and
-raises a fence that stays up until the process ends.  It loads no NumPy, so that it starts quickly.
+confines the process until it ends.  It loads no NumPy, so that it starts quickly.
 
 stdout is a file.  Its first bytes (`note_bytes` of them) say what is being evaluated right now, so
 that the parent, if it ends this process, knows which expression did not end; the answer follows.
@@ -18,7 +18,7 @@ import re
 import sys
 import types
 import unicodedata  # noqa: F401 - Python imports it for a name like größe: too late there
-import xml.dom.expatbuilder  # minidom imports it when first used: too late behind the fence
+import xml.dom.expatbuilder  # minidom imports it when first used: too late once confined
 import xml.dom.minidom
 from collections.abc import Callable, Iterator
 from typing import Any, NoReturn
@@ -100,7 +100,7 @@ class Worker:
         self.inputs: list[tuple[str, str]] = []
         self.said = io.StringIO()  # what xacro prints: its warnings
         self.snippet = ""  # the text that is being evaluated, as the file has it
-        self.error_files: list[str] = []  # of an error that was found earlier
+        self.error_files: list[str] = []  # of an error that was found before
 
     def expand(self) -> dict[str, Any]:
         """The answer."""
@@ -243,7 +243,7 @@ class Worker:
             os.pwrite(1, note.ljust(self.note_bytes), 0)
 
     def answer(self, answer: dict[str, Any]) -> NoReturn:
-        """Write the answer and end, at once: nothing that was left behind runs any more."""
+        """Write the answer and end, at once: nothing that the file defined runs any more."""
         data = json.dumps(answer).encode()
         if len(data) > self.output_bytes:
             data = json.dumps(self._too_large()).encode()
@@ -254,7 +254,7 @@ class Worker:
         os._exit(0)
 
     def stop(self, tried: str) -> NoReturn:
-        """End because the fence was touched."""
+        """End because the file tried what it may not do."""
         self.answer(
             self._error(
                 f"the file tried to {tried[:200]}",
