@@ -1,4 +1,4 @@
-"""The arms in which the mutation benchmark plants its mistakes, and what honest noise does."""
+"""The arms in which the mutation benchmark plants its mistakes, and their measurement noise."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _body(rng: np.random.Generator, size: float) -> Inertia:
 
 
 def _urdf_chain(name: str, n: int, rng: np.random.Generator) -> SerialArm:
-    """Joints about any axes, origins turned anyhow, one joint that slides, fixed children."""
+    """Joints about any axes, origins of any orientation, one prismatic joint, fixed children."""
     joints, links = [], []
     sliding = int(rng.integers(1, n))
     for i in range(n):
@@ -112,7 +112,7 @@ def _dh_chain(name: str, n: int, rng: np.random.Generator) -> SerialArm:
     return arm_from_dh(name, rows, convention=convention)
 
 
-# --- honest noise --------------------------------------------------------------------------------
+# --- measurement noise ----------------------------------------------------------------------------
 
 
 def with_noise(
@@ -145,7 +145,7 @@ def _noisy(own: Written, truth: Written, level: float, rng: np.random.Generator)
     while True:
         tensor = _spread(own.tensor, truth.tensor, level, rng)
         # A rod's small moment is the least that its large ones may differ by: noise that asks for
-        # less than nothing is drawn again, a little smaller.
+        # a negative moment is drawn again, a little smaller.
         if planted or not possible or _possible(tensor):
             return Written(mass, com, tensor)
         level *= 0.8

@@ -58,7 +58,7 @@ _STANDS_OUT = 3.0
 
 @dataclass(frozen=True)
 class Case:
-    """One spoiled arm and what the diagnosis said of it.
+    """One arm with planted mistakes, and what the diagnosis found.
 
     how : the way in which the mistake was made;  links : numbers from 1
     ties : other mistakes that come to the same arm, found without the diagnosis
@@ -218,7 +218,7 @@ def _case(
     said: Diagnosis | None = None
     try:
         said = diagnose(pair_up(arm, spoiled), _states(arm.n, seed))
-    except Exception as error:  # noqa: BLE001  a crash is a miss, and not the end of the benchmark
+    except Exception as error:  # noqa: BLE001  an exception counts as a miss and does not end the benchmark
         answer = f"{type(error).__name__}: {error}"
     seconds = time.perf_counter() - start
     first, equals, place = "", (), ()

@@ -1,9 +1,9 @@
-"""How many planted faults the rules find, under the right rule, and what they say of sound robots.
+"""How many planted faults the rules find, under the right rule, and what they find in sound robots.
 
     python benchmarks/bench_rules.py [--seed N] [--missed]
 
-Robots are those of example-robot-data whose files have no error.  Half of them were looked at while
-thresholds were set ("tuning"), half were not ("reporting"); both are printed.
+Robots are those of example-robot-data whose files have no error.  Half of them were used to set
+thresholds ("tuning"), half were not ("reporting"); both are printed.
 """
 
 from __future__ import annotations

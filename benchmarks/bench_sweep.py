@@ -1,4 +1,4 @@
-"""What a state of a sweep costs, part by part: CPU time of one thread.
+"""CPU time of one thread per state of a sweep, part by part.
 
     python benchmarks/bench_sweep.py [--blocks N] [--repeats N]
 
@@ -21,7 +21,7 @@ from ur5check._sweep.state_sample import BLOCK, RandomSample
 from ur5check._sweep.statistics import statistics_of
 from ur5check._sweep.torque_difference import torque_difference
 
-_MANY = 10**9  # states that the sweep is thought to have
+_MANY = 10**9  # states of the sweep that the plan is made for
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -32,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     parts = measure(options.blocks, options.repeats)
     total = sum(seconds for name, seconds in parts.items() if not name.startswith("("))
-    print("| a state's | ns | share |\n|---|---:|---:|")
+    print("| per state | ns | share |\n|---|---:|---:|")
     for name, seconds in parts.items():
         share = "" if name.startswith("(") else f"{seconds / total:.1%}"
         print(f"| {name} | {1e9 * seconds:.3g} | {share} |")
@@ -41,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def measure(blocks: int, repeats: int) -> dict[str, float]:
-    """Seconds a state, of each part of the way of one block."""
+    """Time per state of each part of the computation of one block [s]."""
     plan = ur5check.sweep("paper", "appendix", states=100, tolerance=1.0).plan
     plan = replace(plan, sample=RandomSample(plan.sample.box, _MANY, 0), map_every=64)
     sobol = SobolSample(plan.sample.box, _MANY, 0)
@@ -51,12 +51,12 @@ def measure(blocks: int, repeats: int) -> dict[str, float]:
     delta = difference.of(states.q, states.qd, states.qdd)
     span = np.concatenate([states.q[::64]] * 16)  # a map is drawn for 16 blocks at once
     parts: dict[str, Callable[[int], object]] = {
-        "numbers (Philox)": plan.sample.block,
+        "random numbers (Philox)": plan.sample.block,
         f"torques of both arms ({difference.engine})": lambda k: difference.of(
             states.q, states.qd, states.qdd
         ),
         "statistics": lambda k: statistics_of(delta, states, 0, tolerance=plan.tolerance),
-        "(numbers, Sobol)": sobol.block,
+        "(Sobol points instead)": sobol.block,
     }
     seconds = {name: _least(part, blocks, repeats) / BLOCK for name, part in parts.items()}
     seconds["tool position, every 64th"] = _least(lambda k: plan.cells_of(span), 1, repeats) / (

@@ -77,7 +77,7 @@ class Planting:
     arm: SerialArm
 
 
-# --- numbers as a file holds them ----------------------------------------------------------------
+# --- numbers as a file holds them -----------------------------------------------------------------
 
 
 def written(link: Link) -> Written:
@@ -117,7 +117,7 @@ def _with_link(arm: SerialArm, i: int, link: Link) -> SerialArm:
     return replace(arm, links=(*arm.links[:i], link, *arm.links[i + 1 :]))
 
 
-# --- what a file is ------------------------------------------------------------------------------
+# --- files and their conventions ------------------------------------------------------------------
 
 _NOTHING = 1e-9
 
@@ -150,7 +150,7 @@ def _from_row(theta: float, d: float, a: float, alpha: float) -> Transform:
 
 
 def _with_row(arm: SerialArm, i: int, row: _Row) -> SerialArm:
-    """A DH arm with one fixed transform written anew."""
+    """A DH arm with one fixed transform replaced."""
     source_frame = Transform.identity()
     if _kind(arm) == "modified" and i + 1 < arm.n:
         source_frame = _from_row(0.0, 0.0, row[2], row[3]).inverse()
@@ -170,12 +170,12 @@ def _rpy(R: Array) -> Array:
 
 
 def _with_origin(arm: SerialArm, i: int, xyz: Array, rpy: Array) -> SerialArm:
-    """A URDF arm with the origin of the joint after link i (from 0) written anew."""
+    """A URDF arm with the origin of the joint after link i (from 0) replaced."""
     link_tip_frame = Transform.from_rpy(xyz, [float(angle) for angle in rpy])
     return _with_link(arm, i, _moved(arm.links[i], link_tip_frame, link_tip_frame.inverse()))
 
 
-# --- numbers that go wrong -----------------------------------------------------------------------
+# --- numbers with an error ------------------------------------------------------------------------
 
 
 def _adjacent_digits(value: float) -> Iterator[tuple[str, float]]:
@@ -213,7 +213,7 @@ def _units(v: Array) -> Iterator[tuple[str, Array]]:
         yield f"all times {factor:g}", v * factor
 
 
-# --- mistakes in one link's inertial numbers -----------------------------------------------------
+# --- mistakes in one link's inertial numbers ------------------------------------------------------
 
 _Change = tuple[str, dict[int, Written]]
 
@@ -453,7 +453,7 @@ INERTIAL: dict[str, Callable[[SerialArm, int], Iterator[_Change]]] = {
 }
 
 
-# --- mistakes in bodies that are fixed to a link -------------------------------------------------
+# --- mistakes in bodies that are fixed to a link --------------------------------------------------
 
 _Mutant = tuple[str, SerialArm]
 
@@ -475,7 +475,7 @@ def _body_twice(arm: SerialArm, i: int) -> Iterator[_Mutant]:
             yield name, _with_link(arm, i, replace(link, inertia=link.inertia + body))
 
 
-# --- mistakes in one link's geometry -------------------------------------------------------------
+# --- mistakes in one link's geometry --------------------------------------------------------------
 
 
 def _reach_sign(arm: SerialArm, i: int) -> Iterator[_Mutant]:
@@ -631,7 +631,7 @@ _BODIES: dict[str, Callable[[SerialArm, int], Iterator[_Mutant]]] = {
 }
 
 
-# --- mistakes of the whole arm -------------------------------------------------------------------
+# --- mistakes of the whole arm --------------------------------------------------------------------
 
 
 def _dh_convention(arm: SerialArm) -> Iterator[_Mutant]:
@@ -728,7 +728,7 @@ def _close(one: Array | float, other: Array | float, tolerance: float) -> bool:
     return apart <= tolerance * size or apart < 1e-12
 
 
-# --- what cannot be told apart -------------------------------------------------------------------
+# --- mistakes with the same result ----------------------------------------------------------------
 
 
 def same_inertias(one: SerialArm, other: SerialArm, places: Sequence[int]) -> bool:
@@ -761,7 +761,7 @@ def is_nothing(arm: SerialArm, mutant: SerialArm) -> bool:
 
 
 def in_space(arm: SerialArm) -> tuple[Array, Array]:
-    """Axes and bodies in the base frame at q = 0, which settle the motion at every q.
+    """Axes and bodies in the base frame at q = 0, which determine the motion at every q.
 
     Directions and moments of the axes, shape (n, 6); mass, first and second moments of the bodies,
     shape (n, 10).

@@ -1,7 +1,7 @@
 """Faults planted in sound URDFs, one at a time, as they occur in practice.
 
-Each kind edits the file's XML and names the rules that would be right to find it.  A kind that a
-robot has no place for (no rpy, no second limb) is left out for that robot.
+Each kind edits the file's XML and names the rules that would be right to find it.  A kind that
+does not apply to a robot (no rpy, no second limb) is omitted for that robot.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def planted(root: ET.Element, kind: Kind, seed: int) -> tuple[str, str] | None:
     return (kind.text(text) if kind.text else text), subject
 
 
-# --- where --------------------------------------------------------------------------------------
+# --- places of faults -----------------------------------------------------------------------------
 
 
 def _bodies(root: ET.Element) -> list[ET.Element]:
@@ -68,7 +68,7 @@ def _pick(things: list[ET.Element], random: Random) -> ET.Element | None:
     return random.choice(things) if things else None
 
 
-# --- how ----------------------------------------------------------------------------------------
+# --- kinds of faults ------------------------------------------------------------------------------
 
 
 def _mass(factor: float) -> Callable[[ET.Element, Random], str | None]:

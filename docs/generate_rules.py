@@ -30,7 +30,7 @@ computation.
 Of a body with mass m, centre c and tensor I about c, the spread along a unit vector u is σ =
 √(uᵀ Σ u / m) with Σ = ½ tr(I) 1 − I. If all of the body lies between two planes across u, at
 *low* and *high*, then σ² ≤ (c − low)(high − c), since (x − low)(high − x) ≥ 0 for each of its
-points. `INE108` asks it of a link's own shapes (10 mm are granted for covers and coarse shapes)
+points. `INE108` asks it of a link's own shapes (10 mm are allowed for covers and coarse shapes)
 along the axes of link, shapes and tensor. Where there is no shape, `INE109` compares σ with the
 link's length from joint to joint and with the robot's reach.
 

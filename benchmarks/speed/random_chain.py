@@ -12,7 +12,7 @@ __all__ = ["chain"]
 
 
 def chain(n: int, seed: int) -> SerialArm:
-    """A chain of n revolute joints about z; each link a possible body, in no particular frame."""
+    """A chain of n revolute joints about z; each link a possible body, in any frame."""
     rng = np.random.default_rng((seed, n))
     links = []
     for i in range(1, n + 1):

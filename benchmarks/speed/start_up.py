@@ -1,4 +1,4 @@
-"""What a user waits for before anything happens, against bare Python."""
+"""Time of importing the package and of `--help`, against bare Python."""
 
 from __future__ import annotations
 

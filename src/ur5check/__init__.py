@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from ._reports.mistake_sentences import details as mistake_details
     from ._reports.mistake_sentences import remark as mismatch_sentence
     from ._reports.mistake_sentences import sentence as mistake_sentence
+    from ._reports.rounding_sentences import rounding_in_words
     from ._robot.inertia import PARAMETERS, Inertia
     from ._robot.robot import Robot
     from ._robot.robot_tree import RobotTree
@@ -159,6 +160,7 @@ _DEFINED_IN = {
     "repaired_text": "._engines.known_issues",
     "reproduce": "._paper.reproduction",
     "rnea": "._dynamics.recursion",
+    "rounding_in_words": "._reports.rounding_sentences",
     "static_hold": "._simulation.static_hold:stand",
     "steppers": "._engines.registry",
     "sweep": "._sweep.sweep",
@@ -243,6 +245,7 @@ __all__ = [
     "repaired_text",
     "reproduce",
     "rnea",
+    "rounding_in_words",
     "static_hold",
     "steppers",
     "sweep",

@@ -19,7 +19,7 @@ __all__ = ["EngineError", "InputError", "ModelError", "StateError", "Ur5checkErr
 
 
 class Ur5checkError(Exception):
-    """Base of all errors raised on purpose."""
+    """Base of all errors raised on purpose; `docs/api.md` lists them."""
 
 
 class InputError(Ur5checkError):
@@ -31,12 +31,29 @@ class ModelError(InputError):
 
     Parameters
     ----------
-    problem : what is wrong, as a clause ("mass is negative")
-    fix : what to do about it, as an imperative ("give the mass in kilograms")
-    file, line : where it stands, when it stands in a file
-    element : the element, key or body that holds it ("link 'forearm' inertial/mass")
-    value : the offending value, as it was written
-    rule : id of the rule that was broken
+    problem : str
+        What is wrong, as a clause ("mass is negative").
+    fix : str
+        What to do about it, as an imperative ("give the mass in kilograms").
+    file : str or None
+        Where it is written, when it is written in a file.
+    line : int or None
+        From 1.
+    element : str or None
+        The element, key or body that holds it ("link 'forearm' inertial/mass").
+    value : object
+        The offending value, as it was written.
+    rule : str
+        Id of the rule that was broken.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> try:
+    ...     ur5check.Joint("elbow", (0, 0, 0))
+    ... except ur5check.ModelError as error:
+    ...     error.element, error.fix
+    ("joint 'elbow'", 'give its direction')
     """
 
     def __init__(

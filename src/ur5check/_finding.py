@@ -23,10 +23,23 @@ SEVERITIES: tuple[Severity, ...] = ("error", "warning", "note")
 class Place:
     """Where a number or an element is written.
 
-    file : as the user gave it, or as an include names it;  line, column : from 1, 0 where unknown
-    element : the element, key or body, "link 'forearm' inertial/mass"
-    via : of text that xacro expanded: the macro calls that brought it there, the innermost first,
-        and its place in the expanded text
+    Attributes
+    ----------
+    file : str
+        As the user gave it, or as an include names it.
+    line, column : int
+        From 1; 0 where unknown.
+    element : str
+        The element, key or body, "link 'forearm' inertial/mass".
+    via : tuple of Place
+        Of text that xacro expanded: the macro calls that brought it there, the innermost first,
+        and its place in the expanded text.
+
+    Examples
+    --------
+    >>> from ur5check import Place
+    >>> str(Place("arm.urdf", 12, 5))
+    'arm.urdf:12:5'
     """
 
     file: str = ""
@@ -44,16 +57,34 @@ class Place:
 class Finding:
     """One thing that is wrong.
 
-    rule : id of the rule that was broken, "INE102"
-    severity : as the rule has it, or lower where the rule says so
-    subject : what it is about: "link 'forearm'", "joint 'elbow'", "robot 'ur5'"
-    message : what is wrong, as a clause, with its numbers
-    places : where it is written, the number at fault first; each followed by its `via`
-    value, bound : what was found and what it was compared with, in `unit`; None where there is no
-        number
-    consequence : what it does to a user of the model
-    fix : what to do about it, as an imperative
-    effect : the joint torque that it accounts for [N m], None where it is unknown
+    Attributes
+    ----------
+    rule : str
+        Id of the rule that was broken, "INE102".
+    severity : {"error", "warning", "note"}
+        As the rule has it, or lower where the rule says so.
+    subject : str
+        What it is about: "link 'forearm'", "joint 'elbow'", "robot 'ur5'".
+    message : str
+        What is wrong, as a clause, with its numbers.
+    places : tuple of Place
+        Where it is written, the number at fault first; each followed by its `via`.
+    value, bound : float, str or None
+        What was found and what it was compared with, in `unit`; None where there is no number.
+    unit : str
+    consequence : str
+        What it does to a user of the model.
+    fix : str
+        What to do about it, as an imperative.
+    effect : float or None
+        The joint torque that it accounts for [N m], None where it is unknown.
+
+    Examples
+    --------
+    >>> from ur5check import Finding, Place
+    >>> place = Place("arm.urdf", 12, 5)
+    >>> str(Finding("INE101", "error", "link 'hand'", "its mass is negative", (place,)))
+    "arm.urdf:12:5: error INE101: link 'hand': its mass is negative"
     """
 
     rule: str

@@ -23,13 +23,31 @@ class Result:
         return "" if verdict is None else str(verdict.text)
 
     def summary(self) -> str:
-        """The sentences at the head of the report, one a line, the verdict first."""
+        """The sentences at the head of the report, the verdict first.
+
+        Returns
+        -------
+        str
+            One sentence a line.
+        """
         return "\n".join([self.verdict, *self._document().lines])
 
     def to_text(self, *, width: int = 100) -> str:
         """The whole report as plain text, as the command prints it.
 
-        width : columns of a line, at least 40
+        Parameters
+        ----------
+        width : int
+            Columns of a line, at least 40.
+
+        Returns
+        -------
+        str
+
+        Raises
+        ------
+        UsageError
+            For a width that is no whole number, or below 40.
         """
         from ._arguments import integer
 
@@ -37,7 +55,12 @@ class Result:
         return str(_reports("terminal").render_text(self._document(), width=columns))
 
     def to_json(self) -> str:
-        """The whole report as JSON, as `--format json` writes it (docs/json.md)."""
+        """The whole report as JSON, as `--format json` writes it (docs/json.md).
+
+        Returns
+        -------
+        str
+        """
         return str(_reports("of_result").json_of(self))
 
     def _repr_html_(self) -> str:

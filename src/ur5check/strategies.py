@@ -36,15 +36,49 @@ def _arrays(bound: float, *shape: int) -> st.SearchStrategy[Array]:
 
 
 def unit_vectors() -> st.SearchStrategy[Array]:
-    """Unit vectors, shape (3,): often a coordinate axis, as in real arms, else any."""
+    """Unit vectors: often a coordinate axis, as in real arms, else any.
+
+    Returns
+    -------
+    SearchStrategy of ndarray, shape (3,)
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from hypothesis import find
+    >>> from ur5check import strategies as ur5
+    >>> find(ur5.unit_vectors(), lambda u: u[1] > 0).tolist()
+    [0.0, 1.0, 0.0]
+    """
     axes = [sign * axis for axis in np.eye(3) for sign in (1.0, -1.0)]
     anywhere = _arrays(1.0, 3).filter(lambda v: np.linalg.norm(v) > 0.1)
     return st.one_of(st.sampled_from(axes), anywhere.map(lambda v: v / np.linalg.norm(v)))
 
 
 def transforms(reach: float = 0.5) -> st.SearchStrategy[Transform]:
-    """Rigid transforms with a translation of up to `reach` [m] a component; quarter turns are
-    as likely as other angles."""
+    """Rigid transforms; quarter turns are as likely as other angles.
+
+    Parameters
+    ----------
+    reach : float
+        Bound on each component of the translation [m].
+
+    Returns
+    -------
+    SearchStrategy of Transform
+
+    Raises
+    ------
+    hypothesis.errors.InvalidArgument
+        When a value is drawn, for a bound that is negative or not finite.
+
+    Examples
+    --------
+    >>> from hypothesis import find
+    >>> from ur5check import strategies as ur5
+    >>> find(ur5.transforms(reach=0.5), lambda T: True).p.tolist()
+    [0.0, 0.0, 0.0]
+    """
     angle = st.one_of(st.sampled_from([0.0, np.pi / 2, -np.pi / 2, np.pi]), _floats(np.pi))
     return st.builds(Transform.from_rpy, _arrays(reach, 3), st.tuples(angle, angle, angle))
 
@@ -54,7 +88,25 @@ def inertias(draw: st.DrawFn) -> Inertia:
     """Inertias of bodies with mass everywhere: 0.05 to 20 kg, radii of gyration 1 to 30 cm.
 
     The tensor is tr(Σ) 1 − Σ for a positive definite second moment Σ, which is to say that some
-    distribution of mass has it (Wensing, Kim & Slotine 2018).
+    distribution of mass has it.
+
+    Returns
+    -------
+    SearchStrategy of Inertia
+
+    References
+    ----------
+    Wensing, Kim & Slotine 2018.
+
+    Examples
+    --------
+    >>> from hypothesis import given, settings
+    >>> from ur5check import strategies as ur5
+    >>> @settings(max_examples=3, database=None, deadline=None)
+    ... @given(ur5.inertias())
+    ... def test_a_body_can_have_it(inertia):
+    ...     assert inertia.triangle_margin() > 0.0
+    >>> test_a_body_can_have_it()
     """
     mass = draw(st.floats(0.05, 20.0))
     radii = np.array(draw(st.tuples(*[st.floats(0.01, 0.3)] * 3)))
@@ -68,7 +120,34 @@ def inertias(draw: st.DrawFn) -> Inertia:
 def arms(
     draw: st.DrawFn, *, min_joints: int = 1, max_joints: int = 8, prismatic: bool = True
 ) -> SerialArm:
-    """Serial arms of `min_joints` to `max_joints` joints, in any frames, under any gravity."""
+    """Serial arms in any frames, under any gravity.
+
+    Parameters
+    ----------
+    min_joints, max_joints : int
+        Bounds on the number of joints.
+    prismatic : bool
+        Whether joints may be prismatic.
+
+    Returns
+    -------
+    SearchStrategy of SerialArm
+
+    Raises
+    ------
+    hypothesis.errors.InvalidArgument
+        When a value is drawn, for bounds in the wrong order.
+
+    Examples
+    --------
+    >>> from hypothesis import given, settings
+    >>> from ur5check import strategies as ur5
+    >>> @settings(max_examples=3, database=None, deadline=None)
+    ... @given(ur5.arms(max_joints=2))
+    ... def test_links_have_mass(arm):
+    ...     assert all(link.inertia.mass > 0.0 for link in arm.links)
+    >>> test_links_have_mass()
+    """
     n = draw(st.integers(min_joints, max_joints))
     slides: list[Literal["revolute", "prismatic"]] = ["prismatic"] if prismatic else []
     kinds = ["revolute", "revolute", "revolute", *slides]
@@ -82,7 +161,34 @@ def arms(
 
 @st.composite
 def states(draw: st.DrawFn, n: int, *, max_count: int = 4) -> States:
-    """1 to `max_count` states of n joints within the bounds of `random_states`."""
+    """States of n joints within the bounds of `random_states`.
+
+    Parameters
+    ----------
+    n : int
+        Number of joints.
+    max_count : int
+        Largest number of states; there is at least one.
+
+    Returns
+    -------
+    SearchStrategy of States
+
+    Raises
+    ------
+    hypothesis.errors.InvalidArgument
+        When a value is drawn, for a negative `n` or a `max_count` below 1.
+
+    Examples
+    --------
+    >>> from hypothesis import given, settings
+    >>> from ur5check import strategies as ur5
+    >>> @settings(max_examples=3, database=None, deadline=None)
+    ... @given(ur5.states(6))
+    ... def test_joints(states):
+    ...     assert states.qdd.shape == (len(states), 6)
+    >>> test_joints()
+    """
     count = draw(st.integers(1, max_count))
     bounds = (MAX_ANGLE, MAX_RATE, MAX_ACCELERATION)
     return States(*(draw(_arrays(bound, count, n)) for bound in bounds))
@@ -92,6 +198,34 @@ def states(draw: st.DrawFn, n: int, *, max_count: int = 4) -> States:
 def arms_and_states(
     draw: st.DrawFn, *, min_joints: int = 1, max_joints: int = 8, prismatic: bool = True
 ) -> tuple[SerialArm, States]:
-    """An arm with states of its own number of joints."""
+    """An arm with states of its own number of joints.
+
+    Parameters
+    ----------
+    min_joints, max_joints : int
+        Bounds on the number of joints.
+    prismatic : bool
+        Whether joints may be prismatic.
+
+    Returns
+    -------
+    SearchStrategy of (SerialArm, States)
+
+    Raises
+    ------
+    hypothesis.errors.InvalidArgument
+        When a value is drawn, for bounds in the wrong order.
+
+    Examples
+    --------
+    >>> from hypothesis import given, settings
+    >>> from ur5check import strategies as ur5
+    >>> @settings(max_examples=3, database=None, deadline=None)
+    ... @given(ur5.arms_and_states(max_joints=2))
+    ... def test_states_fit(drawn):
+    ...     arm, states = drawn
+    ...     assert states.q.shape[1] == arm.n
+    >>> test_states_fit()
+    """
     arm = draw(arms(min_joints=min_joints, max_joints=max_joints, prismatic=prismatic))
     return arm, draw(states(arm.n))

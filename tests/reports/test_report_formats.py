@@ -6,7 +6,7 @@ import pytest
 
 import ur5check
 from ur5check._cli.main import main
-from ur5check._reports.formats import FORMATS, Contents, Screen, format_of
+from ur5check._reports.report_formats import FORMATS, Contents, Screen, format_of
 from ur5check._reports.show_document import show_document
 from ur5check._reports.show_json import show_json
 

@@ -97,7 +97,7 @@ def _head(arm: SerialArm, derivation: Derivation, command: str) -> Sequence[str]
 
     made = Provenance(inputs_of([arm]), command=command)
     return [
-        f"Made by: {command}",
+        f"Command: {command}",
         *(f"from {name}, SHA-256 {digest}" for name, digest in made.inputs),
         f"with {made.made_by}",
         *(f"{operations}: {stage}" for stage, operations in derivation.stages),

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypedDict
 from .._errors import UsageError
 from .._io.formats import FORMATS as MODEL_FORMATS
 from .._io.formats import format_by_suffix, suffixes_in_words
-from .._reports.formats import FORMATS
+from .._reports.report_formats import FORMATS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from .._errors import UsageError
 from .._files import write_whole
-from .._reports.formats import Contents, ReportFormat, Screen, format_of
+from .._reports.report_formats import Contents, ReportFormat, Screen, format_of
 
 if TYPE_CHECKING:
     from .._reports.document import Document

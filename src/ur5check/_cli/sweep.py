@@ -40,7 +40,7 @@ examples:
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Arguments of `sweep`."""
     parser.add_argument("a", metavar="A", help="the reference model")
-    parser.add_argument("b", metavar="B", help="another, compared with it")
+    parser.add_argument("b", metavar="B", help="the model that is compared with it")
     what = parser.add_argument_group("states")
     what.add_argument(
         "--states", type=_count, metavar="N", help="number of states (default: 1e6; of a log: all)"

@@ -57,14 +57,23 @@ _MOST_SOLUTIONS = 256
 class Alignment:
     """Arm b in arm a's joint coordinates and base frame.
 
-    T_ab : b's base frame in a's
-    signs, offsets : q_b = signs ∘ q_a + offsets, shape (n,) [rad], or [m] for a sliding joint
-    exact : whether all axes became the same lines (within SAME_ANGLE, SAME_LENGTH)
-    axis_angle, axis_distance : between corresponding axes at q_a = 0, shape (n,)
-        [rad], [m]; a sliding joint's axis has a direction only
-    tool : pose of b's tool in a's tool frame at q_a = 0
-    unknown : what the axes could not determine, in sentences
-    notes : a near miss, in a sentence
+    Attributes
+    ----------
+    T_ab : Transform
+        Arm b's base frame in arm a's.
+    signs, offsets : ndarray, shape (n,)
+        q_b = signs ∘ q_a + offsets [rad]; [m] for a prismatic joint.
+    exact : bool
+        Whether all axes became the same lines (within SAME_ANGLE, SAME_LENGTH).
+    axis_angle, axis_distance : ndarray, shape (n,)
+        Between corresponding axes at q_a = 0 [rad], [m]; a prismatic joint's axis has a direction
+        only.
+    tool : Transform
+        Pose of b's tool in a's tool frame at q_a = 0.
+    unknown : tuple of str
+        What the axes could not determine, in sentences.
+    notes : tuple of str
+        A near miss, in a sentence.
     """
 
     T_ab: Transform

@@ -32,16 +32,24 @@ Side = Literal["a", "b"]
 
 @dataclass(frozen=True, eq=False)
 class Pair:
-    """Arms `a` and `b`, ready to be compared at the same q.
+    """Two arms, ready to be compared at the same q.
 
-    a : the first arm, as given
-    b : the second, in a's joint coordinates and base frame
-    given_b : the second, as given
-    alignment : how b was brought there
-    link_maps : for each link, the transform from b's link frame to a's in which the two links'
-        inertias are compared, T_{a,i ← b,i}
-    number_by_number : whether both sources place their frames by one rule and are compared as they
-        are written, wherever their frames stand in space
+    Attributes
+    ----------
+    a : SerialArm
+        The first arm, as given.
+    b : SerialArm
+        The second, in a's joint coordinates and base frame.
+    given_b : SerialArm
+        The second, as given.
+    alignment : Alignment
+        How b was brought there.
+    link_maps : tuple of Transform, length n
+        For each link, the transform T_{a,i ← b,i} from b's link frame to a's in which the links'
+        inertias are compared.
+    number_by_number : bool
+        Whether both sources place their frames by one rule and are compared as they are written,
+        wherever their frames stand in space.
     """
 
     a: SerialArm
@@ -53,9 +61,7 @@ class Pair:
 
     @property
     def effort_limits(self) -> Array:
-        """Effort limits, shape (n,) [N m], from the first source that knows one; nan where neither
-        does.
-        """
+        """Effort limits, shape (n,) [N m]: a's, else b's, else nan."""
         known = [
             ja.limits.known_effort or jb.limits.known_effort or np.nan
             for ja, jb in zip(self.a.joints, self.b.joints, strict=True)
@@ -63,19 +69,40 @@ class Pair:
         return np.array(known, dtype=np.float64)
 
     def inertias_b(self) -> tuple[Inertia, ...]:
-        """B's inertias, each in arm a's link frame."""
+        """The inertias of arm b in the link frames of arm a.
+
+        Returns
+        -------
+        tuple of Inertia, length n
+        """
         return tuple(
             link.inertia.expressed_in(T)
             for link, T in zip(self.b.links, self.link_maps, strict=True)
         )
 
     def parameter_difference(self) -> Array:
-        """π_a − π_b, shape (10 n,), both in arm a's link frames."""
+        """The difference π_a − π_b of the inertial parameters.
+
+        Returns
+        -------
+        ndarray, shape (10 n,)
+            Both in arm a's link frames, in the order and units of `PARAMETERS`.
+        """
         pi_b = np.concatenate([inertia.parameters() for inertia in self.inertias_b()])
         return np.asarray(self.a.parameters() - pi_b)
 
     def arm(self, geometry: Side, inertias: Side, gravity: Side) -> SerialArm:
-        """The arm with one side's geometry, inertias and gravity each, in a's coordinates."""
+        """The arm with the geometry, the inertias and the gravity of either side.
+
+        Parameters
+        ----------
+        geometry, inertias, gravity : {"a", "b"}
+
+        Returns
+        -------
+        SerialArm
+            In a's joint coordinates and base frame.
+        """
         arm = self.a if geometry == "a" else self.b
         if geometry == "a" and inertias == "b":
             arm = arm.with_inertias(self.inertias_b())
@@ -92,9 +119,29 @@ class Pair:
 def pair_up(a: ArmSource, b: ArmSource) -> Pair:
     """Align b with a and find the frames in which their links correspond.
 
-    Arms with the same label are given labels that tell them apart (`labelled`).
+    Arms with the same label are given labels that tell them apart.
 
-    Raises UsageError if the arms have different numbers or kinds of joints.
+    Parameters
+    ----------
+    a, b : name, path, pin.Model or SerialArm
+        See `load`.
+
+    Returns
+    -------
+    Pair
+        Both arms in a's joint coordinates and base frame.
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or arms with different numbers or kinds of joints.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("paper", "appendix")
+    >>> pair.a.label, pair.b.label, pair.alignment.exact
+    ('paper', 'appendix', True)
     """
     arm_a, arm_b = labelled((as_arm(a), as_arm(b)))
     alignment = align(arm_a, arm_b)

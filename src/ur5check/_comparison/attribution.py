@@ -50,7 +50,16 @@ _INERTIAL: tuple[ContributionKind, ...] = ("mass", "centre of mass", "tensor")
 
 @dataclass(frozen=True)
 class Contribution:
-    """What a part of a torque difference belongs to; `link` counts from 1, None: the whole arm."""
+    """What a part of a torque difference belongs to.
+
+    Attributes
+    ----------
+    kind : str
+        "geometry", "gravity", "motor inertia", "mass", "centre of mass" or "tensor"; one of
+        `PARAMETERS` in an attribution by parameter.
+    link : int or None
+        From 1; None: the whole arm.
+    """
 
     kind: ContributionKind
     link: int | None = None
@@ -58,11 +67,17 @@ class Contribution:
 
 @dataclass(frozen=True, eq=False)
 class Attribution:
-    """Δτ = τ_a − τ_b at N states, split into K contributions.
+    """Δτ = τ_a − τ_b at N states of n joints, split into K contributions.
 
-    delta : shape (N, n) [N m]
-    torque : each contribution, shape (K, N, n) [N m]
-    rounding : what rounding alone makes of a difference [N m]
+    Attributes
+    ----------
+    delta : ndarray, shape (N, n)
+        Δτ [N m].
+    contributions : tuple of Contribution, length K
+    torque : ndarray, shape (K, N, n)
+        Each contribution [N m]; their sum is Δτ.
+    rounding : float
+        What rounding alone makes of a difference [N m].
     """
 
     delta: Array
@@ -76,14 +91,25 @@ class Attribution:
         return np.asarray(self.delta - self.torque.sum(axis=0))
 
     def rms(self) -> Array:
-        """Root mean square over the states, per contribution and joint, shape (K, n) [N m]."""
+        """Root mean square of each contribution over the states.
+
+        Returns
+        -------
+        ndarray, shape (K, n)
+            [N m]
+        """
         return np.asarray(np.sqrt((self.torque**2).mean(axis=1)))
 
     def share(self) -> Array:
-        """Part of the mean square difference of each contribution, shape (K,); they sum to 1.
+        """Part of the mean square difference of each contribution.
 
         ⟨t_k, Δτ⟩ / ⟨Δτ, Δτ⟩ over states and joints: negative for a contribution that works
-        against the others.  All zero where there is no difference but rounding.
+        against the others.
+
+        Returns
+        -------
+        ndarray, shape (K,)
+            They sum to 1; all zero where there is no difference but rounding.
         """
         if float(np.abs(self.delta).max()) <= self.rounding:
             return np.zeros(len(self.contributions))
@@ -91,11 +117,15 @@ class Attribution:
         return np.asarray((self.torque * self.delta).sum(axis=(1, 2)) / power)
 
     def weight(self) -> Array:
-        """Size of each contribution as a share of all sizes, shape (K,); they sum to 1.
+        """Size of each contribution as a share of all sizes.
 
         RMS_k / Σ RMS_j over states and joints, in [0, 1] whatever cancels: where two contributions
         of 10 N m leave a difference of 1 N m, shares say 500 % and −400 %, weights say half each.
-        All zero where there is no difference but rounding in any part.
+
+        Returns
+        -------
+        ndarray, shape (K,)
+            They sum to 1; all zero where no contribution is more than rounding.
         """
         if float(np.abs(self.torque).max()) <= self.rounding:
             return np.zeros(len(self.contributions))
@@ -104,8 +134,11 @@ class Attribution:
 
     @property
     def cancels(self) -> bool:
-        """Whether the contributions' RMS add up to more than _CANCELS times that of Δτ: then rank
-        them by `weight`, since `share` ranks what is left after they cancelled."""
+        """Whether the contributions cancel each other: rank them by `weight` then, not by `share`.
+
+        Their RMS add up to more than _CANCELS times that of Δτ; `share` ranks what is left after
+        they cancelled.
+        """
         if float(np.abs(self.torque).max()) <= self.rounding:
             return False
         sizes = np.sqrt((self.torque**2).mean(axis=(1, 2)))
@@ -113,7 +146,43 @@ class Attribution:
 
 
 def attribute(pair: Pair, states: States) -> Attribution:
-    """Split the torque difference of a pair of arms, at every state, into contributions."""
+    """Split the torque difference of a pair of arms, at every state, into contributions.
+
+    Geometry, gravity and inertial parameters share it by Shapley's average over all orders of
+    change; within the parameters it is Ȳ (π_a − π_b), without residual (docs/attribution.md).
+
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    states : States, shape (N, n)
+        In the coordinates of the pair's first arm.
+
+    Returns
+    -------
+    Attribution
+        Geometry, gravity and motor inertia of the whole arm; mass, centre of mass and tensor of
+        each link.
+
+    Raises
+    ------
+    InputError
+        For other types, no state, or states of another number of joints.
+
+    References
+    ----------
+    Shapley 1953.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> found = ur5check.attribute(pair, ur5check.random_states(6, 10, seed=0))
+    >>> found.torque.shape
+    (21, 10, 6)
+    >>> bool(abs(found.remainder).max() < found.rounding)
+    True
+    """
     check_pair(pair, states)
     q, qd, qdd = states.q, states.qd, states.qdd
     # Two arms mostly stand under one gravity, and then half of the choices are the other half.

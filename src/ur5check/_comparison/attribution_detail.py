@@ -20,7 +20,17 @@ __all__ = ["TermAttribution", "by_parameter", "by_term"]
 
 @dataclass(frozen=True, eq=False)
 class TermAttribution:
-    """One attribution for each term of τ = M q̈ + C q̇ + g; their deltas sum to Δτ."""
+    """One attribution for each term of τ = M q̈ + C q̇ + g; their `delta` sum to Δτ.
+
+    Attributes
+    ----------
+    gravity : Attribution
+        Of g(q).
+    coriolis : Attribution
+        Of C(q, q̇) q̇, the Coriolis and centrifugal torque.
+    inertial : Attribution
+        Of M(q) q̈.
+    """
 
     gravity: Attribution
     coriolis: Attribution
@@ -28,12 +38,37 @@ class TermAttribution:
 
 
 def by_parameter(pair: Pair, states: States) -> Attribution:
-    """Split Δτ among geometry, gravity, motors and each of the 10 n parameters.
+    """Split Δτ among geometry, gravity, motors and each of the 10 n inertial parameters.
 
     Contributions of kind "m", "mx", … "Izz" hold Ȳ_k (π_a − π_b)_k, with Ȳ averaged over both
     sides' geometry and gravity as in `attribute`.  Parameters are held in a's link frames, and
     their parts depend on them: a centre of mass that is off shows in mx and in the tensor about the
     origin.
+
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    states : States, shape (N, n)
+        In the coordinates of the pair's first arm.
+
+    Returns
+    -------
+    Attribution
+        Of 3 + 10 n contributions.
+
+    Raises
+    ------
+    InputError
+        For other types, no state, or states of another number of joints.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> states = ur5check.random_states(6, 10, seed=0)
+    >>> len(ur5check.attribute_by_parameter(pair, states).contributions)
+    63
     """
     check_pair(pair, states)
     q, qd, qdd = states.q, states.qd, states.qdd
@@ -64,6 +99,30 @@ def by_term(pair: Pair, states: States) -> TermAttribution:
     τ(q, 0, 0) is gravity's, τ(q, q̇, 0) without gravity the Coriolis and centrifugal term's,
     τ(q, 0, q̈) without gravity the inertial term's; torque is the sum of the three, and so is every
     contribution.
+
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    states : States, shape (N, n)
+        In the coordinates of the pair's first arm.
+
+    Returns
+    -------
+    TermAttribution
+
+    Raises
+    ------
+    InputError
+        For other types, no state, or states of another number of joints.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> terms = ur5check.attribute_by_term(pair, ur5check.random_states(6, 10, seed=0))
+    >>> terms.gravity.delta.shape
+    (10, 6)
     """
     check_pair(pair, states)
     rest = np.zeros_like(states.q)

@@ -28,12 +28,25 @@ SAME_TORQUE = 1e-6
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Difference(Result):
-    """Everything that `diff` found; `reports` shows it.
+    """Everything that `diff` found.
 
-    pair : both arms, in a's joint coordinates
-    states, seed : where the torques were compared
-    tool : forward kinematics;  parameters : link by link;  torques : per joint
-    attribution : the torque difference split among parameters, at every state
+    Attributes
+    ----------
+    pair : Pair
+        Both arms, in a's joint coordinates.
+    states : States, shape (N, n)
+        Where the torques were compared.
+    seed : int
+        Of the states.
+    tool : ToolError
+        Of the forward kinematics.
+    parameters : tuple of LinkParameters, length n
+    torques : TorqueError
+        Statistics of Δτ = τ_a − τ_b, joint by joint.
+    tau_a : ndarray, shape (N, n)
+        Torques of arm a [N m].
+    attribution : Attribution
+        The torque difference split among parameters, at every state.
     """
 
     pair: Pair
@@ -63,13 +76,30 @@ def diff(
 
     Parameters
     ----------
-    a, b : the name of a shipped model, a path, a `pin.Model` or a `SerialArm` (see `load`)
-    samples, seed : how many random states, drawn from which seed (see `random_states`)
-    gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
+    a, b : name, path, pin.Model or SerialArm
+        See `load`.
+    samples : int
+        Number of random states, at least 1.
+    seed : int
+        Of the states, not negative (see `random_states`).
+    gravity : array-like, shape (3,), optional
+        In each arm's base frame [m/s²]; each arm's own when None.
+
+    Returns
+    -------
+    Difference
 
     Raises
     ------
-    InputError : a model that cannot be read, or two arms that cannot be compared.
+    InputError
+        For a model that cannot be read, two arms that cannot be compared, or an invalid argument.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> difference = ur5check.diff("appendix", "erd-ur5", samples=100)
+    >>> difference.agrees, difference.torques.rms.shape
+    (False, (6,))
     """
     first, second = (under_gravity(load(source), gravity) for source in (a, b))
     return compare(first, second, random_states(first.n, samples, seed), seed)

@@ -25,14 +25,25 @@ _EVIDENCE = 1_000
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Explanation(Result):
-    """A difference, explained.
+    """A difference with what can be said of its causes.
 
-    terms : the attribution, split into gravity, Coriolis and inertial torque
-    identifiability, equivalence : the identifiable parameters of arm a, and whether the arms
-        differ only in others
-    budget : torque error due to rounding;  diagnosis : known mistakes, with evidence
-    worst : the states of largest disagreement
-    plausible_a, plausible_b : what is odd about either arm's bodies
+    Attributes
+    ----------
+    difference : Difference
+    terms : TermAttribution
+        The attribution, split into gravity, Coriolis and inertial torque.
+    identifiability : Identifiability
+        The identifiable parameters of arm a.
+    equivalence : Equivalence
+        Whether the arms differ only in parameters without effect on torque.
+    budget : ErrorBudget
+        Torque error due to rounded numbers.
+    diagnosis : Diagnosis
+        Known mistakes, with evidence.
+    worst : tuple of WorstCase
+        The states of largest difference.
+    plausible_a, plausible_b : tuple of Plausibility
+        What is implausible about either arm's bodies.
     """
 
     difference: Difference
@@ -56,11 +67,30 @@ def explain(
 
     Parameters
     ----------
-    difference : from `diff`
-    acceleration : bound on |q̈| for the worst case [rad/s²]
-    progress : called with a line before each longer step
+    difference : Difference
+        From `diff`.
+    acceleration : float
+        Bound on |q̈| for the worst case [rad/s²], positive.
+    progress : callable, optional
+        Called with a line before each longer step.
 
-    Raises UsageError for an acceleration that is no positive number.
+    Returns
+    -------
+    Explanation
+
+    Raises
+    ------
+    UsageError
+        For an invalid argument.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> arm = ur5check.load("paper")
+    >>> difference = ur5check.diff(arm, arm.with_gravity(-arm.gravity), samples=9)
+    >>> explanation = ur5check.explain(difference)
+    >>> [mistake.id for mistake in explanation.diagnosis.mistakes]
+    ['gravity-sign']
     """
     instance("difference", difference, Difference, "see ur5check.diff")
     acceleration = number("acceleration", acceleration, positive=True)

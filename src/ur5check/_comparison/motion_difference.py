@@ -16,10 +16,19 @@ __all__ = ["ToolError", "TorqueError", "compare_tools", "compare_torques", "tool
 
 @dataclass(frozen=True, eq=False)
 class ToolError:
-    """Largest distance [m] and angle [rad] between the two tools, and the state of the former.
+    """Largest distance and angle between the tools of two arms.
 
     When the axes coincide but the tool frames are two different ones, the constant pose between
     them is taken out first.
+
+    Attributes
+    ----------
+    position : float
+        [m]
+    angle : float
+        [rad]
+    worst : int
+        Index of the state with the largest distance.
     """
 
     position: float
@@ -29,11 +38,18 @@ class ToolError:
 
 @dataclass(frozen=True, eq=False)
 class TorqueError:
-    """Δτ = τ_a − τ_b over N states, per joint; every array of shape (n,).
+    """Δτ = τ_a − τ_b over N states, per joint.
 
-    rms, maximum : [N m];  worst : index of the state of the maximum
-    scale : RMS of arm a's own torque [N m], to judge a difference by
-    effort : the joint's effort limit [N m], see `Pair.effort_limits`
+    Attributes
+    ----------
+    rms, maximum : ndarray, shape (n,)
+        Root mean square and largest |Δτ| [N m].
+    worst : ndarray, shape (n,)
+        Index of the state of the maximum.
+    scale : ndarray, shape (n,)
+        RMS of arm a's own torque [N m], to judge a difference by.
+    effort : ndarray, shape (n,)
+        Effort limits [N m], see `Pair.effort_limits`.
     """
 
     rms: Array
@@ -43,7 +59,13 @@ class TorqueError:
     effort: Array
 
     def share_of_effort(self) -> Array:
-        """Maximum as a share of the effort limit; nan where there is no limit."""
+        """The maximum as a share of the effort limit.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            nan where there is no limit.
+        """
         return np.asarray(self.maximum / self.effort)
 
 

@@ -18,10 +18,17 @@ __all__ = ["LinkParameters", "compare_parameters"]
 class LinkParameters:
     """One link's numbers in both arms, in the frame in which arm a's source wrote them.
 
-    link : number, from 1;  name_a, name_b : the link's name in either source
-    reach_a, reach_b : from the link's joint to its tip frame, shape (3,) [m]: r_{i−1,i} of a DH
-        listing, the next joint's origin of a URDF.  Where axes coincide, two files may still put
-        frames at different places along them; then these differ and nothing else does.
+    Attributes
+    ----------
+    link : int
+        From 1.
+    name_a, name_b : str
+        The link's name in either source.
+    a, b : Inertia
+    reach_a, reach_b : ndarray, shape (3,)
+        From the link's joint to its tip frame [m]: r_{i−1,i} of a DH listing, the next joint's
+        origin of a URDF.  Where axes coincide, two files may still put frames at different places
+        along them; then these differ and nothing else does.
     """
 
     link: int
@@ -33,7 +40,13 @@ class LinkParameters:
     reach_b: Array
 
     def rows(self) -> list[tuple[str, str, float, float]]:
-        """(quantity, unit, value in a, value in b) of the ten numbers that people write down."""
+        """The ten numbers of a link as files write them, side by side.
+
+        Returns
+        -------
+        list of (str, str, float, float)
+            Quantity, unit, value in a, value in b.
+        """
         rows = [("mass", "kg", self.a.mass, self.b.mass)]
         for axis, com_a, com_b in zip("xyz", self.a.com, self.b.com, strict=True):
             rows.append((f"centre of mass {axis}", "m", float(com_a), float(com_b)))
@@ -44,11 +57,23 @@ class LinkParameters:
         return rows
 
     def centre_distance(self) -> float:
-        """How far apart the two centres of mass lie [m]."""
+        """Distance between the two centres of mass.
+
+        Returns
+        -------
+        float
+            [m]
+        """
         return float(np.linalg.norm(self.a.com - self.b.com))
 
     def moment_ratio(self) -> float:
-        """Largest ratio a : b of corresponding principal moments, inverted if below one."""
+        """Largest ratio a : b of corresponding principal moments, inverted if below one.
+
+        Returns
+        -------
+        float
+            nan where a moment is not positive.
+        """
         moments_a, moments_b = self.a.principal_moments(), self.b.principal_moments()
         if moments_a.min() <= 0.0 or moments_b.min() <= 0.0:
             return float("nan")  # no body has such moments, and their ratio says nothing

@@ -52,7 +52,14 @@ class _Trial:
 class Law:
     """A property that every engine must have.
 
-    measure : returns the error, and the size against which rounding is judged
+    Attributes
+    ----------
+    id : str
+        Its name in tests.
+    statement : str
+        What must hold, as a clause.
+    measure : callable
+        Returns the error, and the size against which rounding is judged.
     """
 
     id: str
@@ -61,7 +68,30 @@ class Law:
 
 
 def check(make: MakeEngine, case: Case, law: Law) -> None:
-    """Raise AssertionError, with the law, the case and the figures, if the engine breaks it."""
+    """Check one law for one engine on one arm.
+
+    Parameters
+    ----------
+    make : callable
+        `make(arm, gravity)` returns the engine with the arm loaded (`ur5check.results.Engine`).
+    case : Case
+        One of `CASES`.
+    law : Law
+        One of `LAWS`.
+
+    Raises
+    ------
+    AssertionError
+        If the engine breaks the law, with the law, the case and the figures.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> from ur5check import testing
+    >>> def pinocchio(arm, gravity):
+    ...     return ur5check.make_engine("pinocchio", arm, gravity)
+    >>> testing.check(pinocchio, testing.CASES[0], testing.LAWS[0])
+    """
     n = case.arm.n
     trial = _Trial(
         case,
@@ -79,7 +109,30 @@ def check(make: MakeEngine, case: Case, law: Law) -> None:
 
 
 def violations(make: MakeEngine) -> tuple[str, ...]:
-    """A sentence for every law that an engine breaks on any case; empty for a conforming one."""
+    """Every law that an engine breaks on any case.
+
+    Parameters
+    ----------
+    make : callable
+        `make(arm, gravity)` returns the engine with the arm loaded (`ur5check.results.Engine`).
+
+    Returns
+    -------
+    tuple of str
+        A sentence for each; empty for a conforming engine.
+
+    Raises
+    ------
+    EngineError
+        If the engine refuses a case.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> from ur5check import testing
+    >>> testing.violations(lambda arm, gravity: ur5check.make_engine("pinocchio", arm, gravity))
+    ()
+    """
     messages = []
     for case in CASES:
         for law in LAWS:

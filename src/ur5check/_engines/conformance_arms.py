@@ -112,7 +112,15 @@ URDF = """\
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """An arm to test an engine with, and gravity in its base frame [m/s²]."""
+    """An arm to test an engine with.
+
+    Attributes
+    ----------
+    name : str
+    arm : SerialArm
+    gravity : ndarray, shape (3,)
+        In the arm's base frame [m/s²].
+    """
 
     name: str
     arm: SerialArm

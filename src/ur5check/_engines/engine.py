@@ -23,7 +23,17 @@ __all__ = ["Engine", "MakeEngine", "ReferenceEngine", "Stepper"]
 
 @runtime_checkable
 class Engine(Protocol):
-    """An implementation of rigid-body dynamics with one arm, or one robot, loaded."""
+    """An implementation of rigid-body dynamics with one arm, or one robot, loaded.
+
+    Arrays have shape (..., n), in the joint order of the arm; units are [rad] and [N m], [m] and
+    [N] for a prismatic joint.
+
+    Attributes
+    ----------
+    name, version : str
+    route : str
+        How the model reached the engine: "URDF text, own parser", "SerialArm", "pin.Model".
+    """
 
     name: str
     version: str
@@ -32,31 +42,103 @@ class Engine(Protocol):
     route: str
 
     def forward_kinematics(self, q: Array) -> Array:
-        """Pose of the tool (of a tree's last moving link) in the base frame, (..., 4, 4)."""
+        """Pose of the tool (of a tree's last moving link) in the base frame.
+
+        Parameters
+        ----------
+        q : array-like, shape (..., n)
+            [rad]
+
+        Returns
+        -------
+        ndarray, shape (..., 4, 4)
+            Homogeneous matrix; lengths in [m].
+        """
         ...
 
     def inverse_dynamics(self, q: Array, qd: Array, qdd: Array) -> Array:
-        """Joint torques, shape (..., n) [N m]: rigid bodies and motor inertia, no damping."""
+        """Joint torques of rigid bodies and motor inertia, without damping or friction.
+
+        Parameters
+        ----------
+        q, qd, qdd : array-like, shape (..., n)
+            [rad], [rad/s], [rad/s²]
+
+        Returns
+        -------
+        ndarray, shape (..., n)
+            [N m]
+        """
         ...
 
     def forward_dynamics(self, q: Array, qd: Array, tau: Array) -> Array:
-        """Joint accelerations, shape (..., n) [rad/s²]."""
+        """Joint accelerations.
+
+        Parameters
+        ----------
+        q, qd, tau : array-like, shape (..., n)
+            [rad], [rad/s], [N m]
+
+        Returns
+        -------
+        ndarray, shape (..., n)
+            [rad/s²]
+        """
         ...
 
     def mass_matrix(self, q: Array) -> Array:
-        """M(q), shape (..., n, n) [kg m²]."""
+        """The joint-space mass matrix M(q), both triangles filled.
+
+        Parameters
+        ----------
+        q : array-like, shape (..., n)
+            [rad]
+
+        Returns
+        -------
+        ndarray, shape (..., n, n)
+            [kg m²]
+        """
         ...
 
     def bias_torque(self, q: Array, qd: Array) -> Array:
-        """C q̇ + g, shape (..., n) [N m]."""
+        """The torque C(q, q̇) q̇ + g(q).
+
+        Parameters
+        ----------
+        q, qd : array-like, shape (..., n)
+            [rad], [rad/s]
+
+        Returns
+        -------
+        ndarray, shape (..., n)
+            [N m]
+        """
         ...
 
     def gravity_torque(self, q: Array) -> Array:
-        """g(q), shape (..., n) [N m]."""
+        """The gravity torque g(q).
+
+        Parameters
+        ----------
+        q : array-like, shape (..., n)
+            [rad]
+
+        Returns
+        -------
+        ndarray, shape (..., n)
+            [N m]
+        """
         ...
 
     def imported_model(self) -> ImportedModel:
-        """The joints and bodies that the engine has after reading."""
+        """The joints and bodies that the engine has after reading.
+
+        Returns
+        -------
+        ImportedModel
+            In the arm's base frame, all joints at zero.
+        """
         ...
 
 
@@ -79,11 +161,33 @@ class ReferenceEngine(Engine, Protocol):
     """An engine that has all terms that the laws need."""
 
     def coriolis_matrix(self, q: Array, qd: Array) -> Array:
-        """A C(q, q̇) with C q̇ the velocity torque, shape (..., n, n) [N m s]."""
+        """A matrix C(q, q̇) with C q̇ the Coriolis and centrifugal torque.
+
+        Parameters
+        ----------
+        q, qd : array-like, shape (..., n)
+            [rad], [rad/s]
+
+        Returns
+        -------
+        ndarray, shape (..., n, n)
+            [N m s]
+        """
         ...
 
     def torque_regressor(self, q: Array, qd: Array, qdd: Array) -> Array:
-        """Y, shape (..., n, 10 n), for parameters expressed in the arm's link frames."""
+        """The regressor Y, with τ = Y π.
+
+        Parameters
+        ----------
+        q, qd, qdd : array-like, shape (..., n)
+            [rad], [rad/s], [rad/s²]
+
+        Returns
+        -------
+        ndarray, shape (..., n, 10 n)
+            For parameters expressed in the arm's link frames.
+        """
         ...
 
 
@@ -92,6 +196,11 @@ class Stepper(Engine, Protocol):
 
     Contact, joint limits, damping and friction are left out: what moves is the rigid-body model
     under gravity and the given torques.
+
+    Attributes
+    ----------
+    integrators : dict of str to int
+        Names of the engine's integrators and the order of each, the engine's default first.
     """
 
     #: names of the engine's integrators and the order of each, the engine's default first
@@ -100,8 +209,20 @@ class Stepper(Engine, Protocol):
     def step(
         self, q: Array, qd: Array, tau: Array, dt: float, integrator: str | None = None
     ) -> tuple[Array, Array]:
-        """(q, q̇) after `dt` [s] of constant torque, by one step of the engine's integrator.
+        """One step of the engine's integrator under constant torque.
 
-        q, qd, tau : shape (n,) [rad], [rad/s], [N m].
+        Parameters
+        ----------
+        q, qd, tau : ndarray, shape (n,)
+            [rad], [rad/s], [N m]
+        dt : float
+            Step [s].
+        integrator : str, optional
+            One of `integrators`; the engine's default when None.
+
+        Returns
+        -------
+        q, qd : ndarray, shape (n,)
+            After the step [rad], [rad/s].
         """
         ...

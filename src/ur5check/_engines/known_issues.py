@@ -23,7 +23,24 @@ __all__ = ["known_issue_for", "known_issues_of", "repairable", "repaired", "repa
 
 
 def known_issues_of(key: str) -> tuple[KnownIssue, ...]:
-    """The known issues of one reader; none for a key that is not in the registry."""
+    """The known issues of one engine or reader.
+
+    Parameters
+    ----------
+    key : str
+        As in `installed_engines`; also "gazebo" and others that only read models.
+
+    Returns
+    -------
+    tuple of KnownIssue
+        Empty for a key that is not known.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.known_issues_of("mujoco")[0].id
+    'mujoco-mass-from-shape'
+    """
     entry = READERS.get(key) if isinstance(key, str) else None
     return entry.known_issues if entry else ()
 
@@ -43,11 +60,36 @@ def repairable() -> tuple[str, ...]:
 
 
 def repaired_text(urdf: str, key: str) -> tuple[str, tuple[KnownIssue, ...]]:
-    """A URDF's text, rewritten so that this reader reads it rightly, and the known issues it
-    avoids.
+    """A URDF's text, rewritten so that a reader imports it rightly.
 
-    Raises UsageError for a key for which nothing is rewritten, ModelError if a name is taken that
-    a repair needs.
+    Parameters
+    ----------
+    urdf : str
+        The text; `arm.source.urdf` of an arm that was read from a URDF or xacro.
+    key : str
+        The reader, as `ur5check expand --for` takes it.
+
+    Returns
+    -------
+    text : str
+        The rewritten URDF.
+    avoided : tuple of KnownIssue
+        The known issues that it avoids.
+
+    Raises
+    ------
+    UsageError
+        For a key for which nothing is rewritten.
+    ModelError
+        For a text that is no URDF, or a name that is taken and that a repair needs.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> urdf = ur5check.load("erd-ur5").source.urdf
+    >>> text, avoided = ur5check.repaired_text(urdf, "mujoco")
+    >>> [issue.id for issue in avoided]
+    ['mujoco-mass-from-shape']
     """
     instance("urdf", urdf, str, "give the text, `arm.source.urdf`")
     if key not in repairable():

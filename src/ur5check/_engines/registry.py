@@ -49,12 +49,35 @@ REFERENCE = next(iter(REGISTRY))
 
 
 def installed() -> tuple[str, ...]:
-    """Keys of the engines that are installed, in the order of reports."""
+    """Keys of the engines that are installed, in the order of reports.
+
+    Returns
+    -------
+    tuple of str
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.installed_engines()[:2]
+    ('ur5check', 'pinocchio')
+    """
     return tuple(key for key, entry in REGISTRY.items() if entry.version is not None)
 
 
 def steppers() -> tuple[str, ...]:
-    """Keys of the engines that can move an arm in time, in the order of reports."""
+    """Keys of the engines that can move an arm in time, in the order of reports.
+
+    Returns
+    -------
+    tuple of str
+        Installed or not.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> "mujoco" in ur5check.steppers()
+    True
+    """
     return tuple(key for key, entry in REGISTRY.items() if entry.can_step)
 
 
@@ -78,10 +101,38 @@ def engine_class(key: str) -> MakeEngine:
 
 
 def make_engine(key: str, arm: ModelSource, gravity: ArrayLike | None = None) -> Engine:
-    """The engine of that key with an arm or a tree loaded; gravity in its base frame [m/s²].
+    """The engine of that key with an arm or a tree loaded.
 
-    Of a tree with mimic joints the engine has every joint, and answers in the tree's coordinates
-    (see `mimic_constraint`).  Raises EngineError, or UsageError for an unknown key.
+    An arm that came from a URDF reaches the engine as that text, through the engine's own parser;
+    any other arm is passed joint by joint.  Of a tree with mimic joints the engine has every joint,
+    and answers in the tree's coordinates (see `mimic_constraint`).
+
+    Parameters
+    ----------
+    key : str
+        One of `installed_engines()`.
+    arm : name, path, pin.Model, SerialArm or RobotTree
+        See `load`.
+    gravity : array-like, shape (3,), optional
+        In the base frame [m/s²]; `arm.gravity` when None.
+
+    Returns
+    -------
+    Engine
+
+    Raises
+    ------
+    EngineError
+        For an engine that is not installed, or refuses the model.
+    InputError
+        For an unknown key, an arm that cannot be read, or invalid gravity.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> engine = ur5check.make_engine("pinocchio", "appendix")
+    >>> engine.gravity_torque([0.0] * 6)[1:3].round(2).tolist()
+    [-57.97, -14.48]
     """
     make = engine_class(key)
     arm = as_arm_or_tree(arm)

@@ -1,4 +1,4 @@
-"""Which chain of a robot is its arm: what a person would mean who names no base and no tip.
+"""Which chain of a robot is its arm, where no base and no tip are given.
 
 From the root to the last link before gripper fingers.  Of several chains the one that is clearly
 longest: on a mobile base with wheels and a head the arm is.  Where none is, all are listed.

@@ -1,4 +1,4 @@
-"""A chain of joints and what hangs on it, from any tree of bodies, to the parts of a `SerialArm`.
+"""From any tree of bodies to the parts of a `SerialArm`: a chain, and what is fixed to it.
 
 The chain from base to tip is bracketed as
 

@@ -41,7 +41,7 @@ _FAULTS: dict[Fault, tuple[str, str, str]] = {
 
 @dataclass(frozen=True)
 class Place:
-    """Where an inertia was written, for the error that speaks of it."""
+    """Where an inertia was written, for an error."""
 
     file: str | None
     element: str

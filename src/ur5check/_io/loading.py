@@ -29,24 +29,45 @@ def load(
     arguments: Mapping[str, str] | None = None,
     strict: bool = True,
 ) -> SerialArm:
-    """The arm that `x` stands for.
+    """Read an arm from a file, a shipped model or a `pin.Model`.
 
-    x : the name of a shipped model, the path of a .urdf, .xacro, MJCF .xml, .sdf or DH .toml file,
-        a `pin.Model`, or a `SerialArm`, which comes back as it is
-    base, tip : links (bodies or sites of an MJCF, frames of a pin.Model) between which the arm is
-        taken; of a URDF or xacro by default the root, and the end of the chain that is clearly
-        the arm
-    arm : in place of `tip`, of a file with several chains: the name of the last link, or another
-        that tells the chain from the others ("left", "right_arm")
-    packages : ROS package names and their folders, for `$(find …)` in a xacro
-    arguments : values for the `xacro:arg`s of a xacro
-    strict : False takes a URDF or xacro also where a body or a joint of the arm cannot exist (a
-        tensor that no body has, limits that are swapped), as long as every number can be read;
-        `source.faults` then lists these findings
+    Parameters
+    ----------
+    x : name, path, pin.Model or SerialArm
+        The name of a shipped model, the path of a .urdf, .xacro, MJCF .xml, .sdf or DH .toml file,
+        a `pin.Model`, or a `SerialArm`, which comes back as it is.
+    base, tip : str, optional
+        Links (bodies or sites of an MJCF, frames of a pin.Model) between which the arm is taken;
+        of a URDF or xacro by default the root, and the end of the chain that is clearly the arm.
+    arm : str, optional
+        In place of `tip`, of a file with several chains: the name of the last link, or another
+        that tells the chain from the others ("left", "right_arm").
+    packages : mapping of str to path, optional
+        ROS package names and their folders, for `$(find …)` in a xacro.
+    arguments : mapping of str to str, optional
+        Values for the `xacro:arg`s of a xacro.
+    strict : bool
+        False takes a URDF or xacro also where a body or a joint of the arm cannot exist (a tensor
+        that no body has, limits that are swapped), as long as every number can be read;
+        `source.faults` then lists these findings.
 
-    Raises ModelError for the first fault of a file that concerns the arm (`judge` finds all faults
-    of the whole robot), UsageError for a name that means nothing and for an option that means
-    nothing for this kind of `x`.
+    Returns
+    -------
+    SerialArm
+
+    Raises
+    ------
+    ModelError
+        For the first fault of a file that concerns the arm; `judge` finds all faults of the
+        whole robot.
+    UsageError
+        For a name that means nothing, or an option that means nothing for this kind of `x`.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.load("appendix")
+    <SerialArm 'appendix': 6 joints, from xacro>
     """
     for name, value in (("base", base), ("tip", tip), ("arm", arm)):
         if value is not None:

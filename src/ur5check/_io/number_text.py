@@ -24,8 +24,8 @@ def as_written(value: float, error: float) -> float:
     """The number with fewest digits within `error` of `value`.
 
     A centre of mass that was taken from one frame to another and back is off by rounding:
-    0.28 has become 0.27999999999999997.  Within what the way cost, the shortest number is the best
-    guess at what somebody wrote, and no worse than any other.
+    0.28 has become 0.27999999999999997.  Within that rounding, the shortest number is the
+    best guess at what was written, and as near as any other.
     """
     if abs(value) <= error:
         return 0.0

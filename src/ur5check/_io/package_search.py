@@ -1,4 +1,4 @@
-"""ROS packages around a file, found without being named.
+"""ROS packages around a file, found without options.
 
 In this order: the package that the file itself stands in (`package.xml` above it) and its siblings
 in the same source folder, or in the same colcon workspace; then what ROS's own variables name

@@ -22,7 +22,7 @@ from .suggestions import did_you_mean
 
 __all__ = ["read_pinocchio_model"]
 
-# A model keeps doubles and has forgotten how many digits they were printed with.  Six significant
+# A model keeps doubles, not the number of digits that they were printed with.  Six significant
 # ones is what C++ streams and %g print unless told otherwise: half a unit of the sixth digit is at
 # most this part of the number.
 _ROUNDING = 5e-6

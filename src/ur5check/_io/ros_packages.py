@@ -112,7 +112,7 @@ class PackageMap:
 
 
 def default_packages() -> PackageMap:
-    """What is found without being asked for.
+    """The packages that are known without options.
 
     `ur_description` of this program (then that of example-robot-data, for the meshes), every robot
     of example-robot-data by the name of its folder, and `example-robot-data` itself.

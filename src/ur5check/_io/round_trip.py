@@ -29,7 +29,7 @@ _DECIMALS = 15
 # three products, by a matrix that is orthogonal to about ε: some 8 ε of the largest length or
 # moment involved, at most.  A grid must be twice as wide.
 _MOVED = 20 * _EPS
-_NO_LENGTH = 1e-30  # [m]: below it a grid would meet the smallest doubles, and nothing else
+_NO_LENGTH = 1e-30  # [m]: a finer grid would be one of subnormal doubles
 _MOST_PASSES = 8  # the first pass suffices, unless a number stood between two grid points
 
 Numbers = tuple[float, ...]

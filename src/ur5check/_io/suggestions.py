@@ -1,4 +1,4 @@
-"""“Did you mean …?”, for names that were almost right."""
+"""“Did you mean …?”, for names that are nearly known ones."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ def chain_from_world(tree: Tree, base: str | None, tip: str | None, world: str =
     """The chain from `base` to `tip`.
 
     Without `base`, the world is left at once: the arm begins with the body that stands in it and
-    carries the arm, as the root link of a URDF would, not with the place where somebody put it.
+    carries the arm, as the root link of a URDF would, not with its pose in the world.
     """
     chain = tree.chain(base, tip)
     first = chain.descended[0]

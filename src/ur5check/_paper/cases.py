@@ -76,7 +76,29 @@ CASES = (
 
 
 def case(number: int) -> Case:
-    """The case of that number, 1 … 9.  Raises UsageError for another."""
+    """One of the paper's nine test cases.
+
+    Parameters
+    ----------
+    number : int
+        1 … 9
+
+    Returns
+    -------
+    Case
+        Posture, the joint that turns, and the joint whose torque is examined.
+
+    Raises
+    ------
+    UsageError
+        For another number.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.paper_case(2).in_words()
+    '0°, θ2, 0°, 0°, 0°, 0°'
+    """
     if integer("number", number, least=1) > len(CASES):
         raise UsageError(f"the paper has cases 1 to {len(CASES)}, not {number}")
     return CASES[number - 1]

@@ -23,13 +23,22 @@ __all__ = ["Reproduction", "judge", "reproduce"]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Reproduction(Result):
-    """All results; `_reports` and `figures` show them.
+    """The paper's results, computed again.
 
-    cases : each case for each model, case by case
-    claims : each claim for each model it was tested on, claim by claim
-    formulas : the formula that gives each printed inertia tensor
-    listing_mistakes : the listing's own mistakes;  effects : what they do to each case
-    arms : that were read
+    Attributes
+    ----------
+    cases : tuple of Run
+        Each case for each model, case by case.
+    claims : tuple of ClaimOutcome
+        Each claim for each model it was tested on, claim by claim.
+    formulas : tuple of TensorFormula
+        The formula that gives each printed inertia tensor.
+    listing_mistakes : ListingMistakes
+        The mistakes of the paper's listing.
+    effects : tuple of MistakeEffect
+        What they do to each case.
+    arms : tuple of SerialArm
+        Those that were read.
     """
 
     cases: tuple[Run, ...]
@@ -55,11 +64,33 @@ class Reproduction(Result):
         return all(np.abs(a.torque - b.torque).max() <= a.rounding for a, b in self._both())
 
     def outcomes(self, claim: str) -> tuple[ClaimOutcome, ...]:
-        """The outcomes of the claim with that id, model by model."""
+        """The outcomes of one claim, model by model.
+
+        Parameters
+        ----------
+        claim : str
+            Its id.
+
+        Returns
+        -------
+        tuple of ClaimOutcome
+        """
         return tuple(outcome for outcome in self.claims if outcome.id == claim)
 
     def run(self, number: int, model: str) -> Run:
-        """One case for one model."""
+        """One case for one model.
+
+        Parameters
+        ----------
+        number : int
+            Of the case, 1 … 9.
+        model : str
+            Its name.
+
+        Returns
+        -------
+        Run
+        """
         return next(r for r in self.cases if r.case.number == number and r.model.name == model)
 
     def _claims(self) -> Iterable[Claim]:
@@ -73,9 +104,31 @@ class Reproduction(Result):
 def reproduce(progress: Progress | None = None) -> Reproduction:
     """Run the nine cases, find the formulas of the inertia tensors, and judge every claim.
 
-    progress : called with a line before each longer step
+    Parameters
+    ----------
+    progress : callable, optional
+        Called with a line before each longer step.
 
-    Raises ModelError if a shipped model cannot be read, EngineError if Pinocchio cannot take it.
+    Returns
+    -------
+    Reproduction
+
+    Raises
+    ------
+    InputError
+        If a shipped model cannot be read, or for an invalid argument.
+    EngineError
+        If Pinocchio cannot take a model.
+
+    References
+    ----------
+    Paper, section "Results & Simulation".
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.reproduce().trustworthy
+    True
     """
     return judge(gather(callback("progress", progress)))
 

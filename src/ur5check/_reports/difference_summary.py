@@ -50,7 +50,29 @@ def base_in_words(T: Transform) -> str:
 
 
 def contribution_in_words(contribution: Contribution) -> str:
-    """A contribution as "link 2, centre of mass"."""
+    """A contribution as "link 2, centre of mass".
+
+    Parameters
+    ----------
+    contribution : Contribution
+        See `ur5check.results.Attribution`.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        For another type.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> from ur5check.results import Contribution
+    >>> ur5check.contribution_in_words(Contribution("mass", 2))
+    'link 2, mass'
+    """
     instance("contribution", contribution, Contribution, "see Attribution.contributions")
     return (
         contribution.kind

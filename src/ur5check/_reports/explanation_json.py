@@ -15,9 +15,10 @@ from .._comparison.plausibility.plausible_body import Plausibility
 from .._comparison.rounding.error_budget import ErrorBudget
 from .._comparison.worst_case.worst_case import WorstCase
 from .._robot.transforms import Array
-from .explanation_summary import equivalence_in_words, removed
+from .explanation_summary import doubt_in_words, equivalence_in_words, removed
 from .json_values import Number, SideValue, State, Vector, state, vector
 from .mistake_sentences import advice, details, remark, sentence
+from .rounding_sentences import cause_in_words, places_in_words
 
 __all__ = ["ExplanationValue", "explanation_value"]
 
@@ -171,7 +172,7 @@ def _identifiability(e: Explanation) -> IdentifiabilityValue:
         columns=found.columns,
         rank=found.rank,
         certain=found.certain,
-        doubt=found.doubt,
+        doubt="" if found.certain else doubt_in_words(found),
         gap=float(found.gap),
         identifiable=list(found.names_of("identifiable")),
         in_combination=list(found.names_of("in combination")),
@@ -186,9 +187,9 @@ def _budget(budget: ErrorBudget) -> ErrorBudgetValue:
     return ErrorBudgetValue(
         items=[
             BudgetItemValue(
-                cause=item.cause,
+                cause=cause_in_words(item),
                 side=item.side,
-                where=item.where,
+                where=places_in_words(item),
                 exact=item.exact,
                 rms=vector(item.rms),
                 maximum=vector(item.maximum),

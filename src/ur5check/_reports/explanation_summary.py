@@ -8,11 +8,12 @@ from .._arguments import instance
 from .._comparison.diagnosis.diagnosis import Diagnosis, RecognizedMistake
 from .._comparison.explanation import Explanation
 from .._comparison.identifiability.equivalence import TOLERANCE, Equivalence
+from .._comparison.identifiability.identifiability import CERTAIN_GAP, WEAKEST, Identifiability
 from . import difference_summary
 from .mistake_sentences import sentence
 from .wording import joined
 
-__all__ = ["equivalence_in_words", "removed", "summarize"]
+__all__ = ["doubt_in_words", "equivalence_in_words", "removed", "summarize"]
 
 _WORTH_A_LINE = 0.01  # of the RMS difference: mistakes that cost less are left to the table
 _MOST_MISTAKES = 4
@@ -38,7 +39,30 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
 
 
 def equivalence_in_words(equivalence: Equivalence) -> str:
-    """Whether two arms differ only in what torques do not show."""
+    """Whether two arms differ only in parameters without effect on torque, as a sentence.
+
+    Parameters
+    ----------
+    equivalence : Equivalence
+        See `ur5check.equivalence`.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        For another type.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("paper", "paper")
+    >>> found = ur5check.equivalence(pair, ur5check.random_states(6, 5, seed=0))
+    >>> ur5check.equivalence_in_words(found)
+    'Same numbers, same dynamics.'
+    """
     instance("equivalence", equivalence, Equivalence, "see ur5check.equivalence")
     if not equivalence.dynamically_equivalent:
         if float(equivalence.visible.max()) <= TOLERANCE * equivalence.largest:
@@ -48,6 +72,16 @@ def equivalence_in_words(equivalence: Equivalence) -> str:
     if equivalence.same_numbers:
         return "Same numbers, same dynamics."
     return "Different numbers, same dynamics: the difference lies in the null space of Y."
+
+
+def doubt_in_words(found: Identifiability) -> str:
+    """Why a rank is not certain."""
+    return (
+        f"rank {found.rank} of {found.columns} is not certain: the weakest direction kept is "
+        f"{found.weakest:.1e} of the strongest and {found.gap:.1e} times what is dropped "
+        f"(wanted: more than {WEAKEST:.0e} and {CERTAIN_GAP:.0e}); some axis or length is all "
+        "but special, by a rounded angle or a tiny offset"
+    )
 
 
 def removed(found: RecognizedMistake, diagnosis: Diagnosis) -> float:

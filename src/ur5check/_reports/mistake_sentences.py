@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from .._arguments import instance
 from .._comparison.arm_pair import Pair, Side
 from .._comparison.diagnosis.cylinder_fit import Cylinder, fit_cylinder
 from .._comparison.diagnosis.diagnosis import Diagnosis, RecognizedMistake
@@ -49,7 +50,35 @@ def subject(found: RecognizedMistake, pair: Pair) -> str:
 
 
 def sentence(found: RecognizedMistake, pair: Pair) -> str:
-    """What happened, and where."""
+    """A recognised mistake as a sentence: where it was made, and what it is.
+
+    Parameters
+    ----------
+    found : RecognizedMistake
+        One of `Diagnosis.mistakes`.
+    pair : Pair
+        `Diagnosis.pair`.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        For other types.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> arm = ur5check.load("paper")
+    >>> pair = ur5check.pair_up(arm, arm.with_gravity(-arm.gravity))
+    >>> found = ur5check.diagnose(pair, ur5check.random_states(6, 5, seed=0))
+    >>> ur5check.mistake_sentence(found.mistakes[0], found.pair)
+    'Gravity points up in one of the two'
+    """
+    instance("found", found, RecognizedMistake, "see Diagnosis.mistakes")
+    instance("pair", pair, Pair, "see Diagnosis.pair")
     if found.difference is not None:
         return _message(found, pair)
     where = subject(found, pair)
@@ -57,12 +86,62 @@ def sentence(found: RecognizedMistake, pair: Pair) -> str:
 
 
 def advice(found: RecognizedMistake) -> str:
-    """The repairs of a recognized mistake, as imperatives."""
+    """The repairs of a recognised mistake, as imperatives.
+
+    Parameters
+    ----------
+    found : RecognizedMistake
+        One of `Diagnosis.mistakes`.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        For another type.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> arm = ur5check.load("paper")
+    >>> pair = ur5check.pair_up(arm, arm.with_gravity(-arm.gravity))
+    >>> found = ur5check.diagnose(pair, ur5check.random_states(6, 5, seed=0))
+    >>> ur5check.mistake_advice(found.mistakes[0])
+    'compare under one gravity: --gravity X Y Z'
+    """
+    instance("found", found, RecognizedMistake, "see Diagnosis.mistakes")
     return "; ".join(dict.fromkeys(mistake.repair for mistake in _in_order_of_repairing(found)))
 
 
 def details(found: RecognizedMistake) -> tuple[str, ...]:
-    """How the mistake was made, link by link; empty for the whole arm."""
+    """How a mistake was made, link by link.
+
+    Parameters
+    ----------
+    found : RecognizedMistake
+        One of `Diagnosis.mistakes`.
+
+    Returns
+    -------
+    tuple of str
+        Empty for a mistake of the whole arm.
+
+    Raises
+    ------
+    UsageError
+        For another type.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("paper", "paper-listing")
+    >>> found = ur5check.diagnose(pair, ur5check.random_states(6, 5, seed=0))
+    >>> all(len(ur5check.mistake_details(m)) == len(m.links) for m in found.mistakes)
+    True
+    """
+    instance("found", found, RecognizedMistake, "see Diagnosis.mistakes")
     return tuple(
         f"link {link}: {_detail(explained)}"
         for link, explained in zip(found.links, found.explained, strict=True)
@@ -70,7 +149,34 @@ def details(found: RecognizedMistake) -> tuple[str, ...]:
 
 
 def remark(mismatch: Mismatch, diagnosis: Diagnosis) -> str:
-    """A number that no known mistake explains, with the cylinders behind a tensor."""
+    """A number that no known mistake explains, as a sentence, with the cylinders behind a tensor.
+
+    Parameters
+    ----------
+    mismatch : Mismatch
+        One of `Diagnosis.unexplained`.
+    diagnosis : Diagnosis
+        See `diagnose`.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        For other types.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> found = ur5check.diagnose(pair, ur5check.random_states(6, 5, seed=0))
+    >>> ur5check.mismatch_sentence(found.unexplained[0], found)[:56]
+    "No single known mistake explains link 3's tensor (append"
+    """
+    instance("mismatch", mismatch, Mismatch, "see Diagnosis.unexplained")
+    instance("diagnosis", diagnosis, Diagnosis, "see ur5check.diagnose")
     number = f"link {mismatch.link + 1}'s {_WORDS[mismatch.quantity]}"
     start = f"No single known mistake explains {number}"
     cylinders = []

@@ -73,7 +73,12 @@ class Inertia:
 
     @classmethod
     def zero(cls) -> Inertia:
-        """No mass and no inertia."""
+        """No mass and no inertia.
+
+        Returns
+        -------
+        Inertia
+        """
         return cls(0.0, np.zeros(3), np.zeros((3, 3)))
 
     @classmethod
@@ -89,7 +94,26 @@ class Inertia:
         ixz: float = 0.0,
         iyz: float = 0.0,
     ) -> Inertia:
-        """From mass [kg], centre of mass [m] and the six entries of the tensor about it [kg m²]."""
+        """From the mass, the centre of mass and the six entries of the tensor.
+
+        Parameters
+        ----------
+        mass : float
+            [kg]
+        com : array-like, shape (3,)
+            Centre of mass in the frame [m].
+        ixx, iyy, izz, ixy, ixz, iyz : float
+            Tensor about the centre of mass, along the axes of the frame [kg m²].
+
+        Returns
+        -------
+        Inertia
+
+        Raises
+        ------
+        ModelError, UsageError
+            For entries that are not finite numbers.
+        """
         ixx, iyy, izz = number("ixx", ixx), number("iyy", iyy), number("izz", izz)
         ixy, ixz, iyz = number("ixy", ixy), number("ixz", ixz), number("iyz", iyz)
         tensor = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
@@ -97,9 +121,23 @@ class Inertia:
 
     @classmethod
     def from_parameters(cls, parameters: ArrayLike) -> Inertia:
-        """From the ten parameters of `PARAMETERS`, shape (10,); all are zero if the mass is.
+        """From the ten inertial parameters, in which torques are linear.
 
         The tensor about the centre of mass is I_c = I_o + m S(c)² (parallel-axis theorem).
+
+        Parameters
+        ----------
+        parameters : array-like, shape (10,)
+            In the order of `PARAMETERS`; all zero if the mass is.
+
+        Returns
+        -------
+        Inertia
+
+        Raises
+        ------
+        ModelError
+            For another shape, entries that are not finite, or a moment without mass.
         """
         pi = frozen(parameters, (10,), "parameters")
         if pi[0] == 0.0:
@@ -120,14 +158,32 @@ class Inertia:
         return cls(float(pi[0]), com, about_origin - parallel_axes)
 
     def parameters(self) -> Array:
-        """The ten parameters of `PARAMETERS`, shape (10,).  I_o = I_c − m S(c)²."""
+        """The ten inertial parameters, in which torques are linear.
+
+        The tensor is taken about the frame's origin: I_o = I_c − m S(c)².
+
+        Returns
+        -------
+        ndarray, shape (10,)
+            In the order and units of `PARAMETERS`.
+        """
         about_origin = self.tensor - self.mass * skew(self.com) @ skew(self.com)
         return np.array(
             [self.mass, *(self.mass * self.com), *(about_origin[entry] for entry in _UPPER)]
         )
 
     def expressed_in(self, T_ab: Transform) -> Inertia:
-        """The same body's inertia in frame a, where this one is in frame b."""
+        """The same body's inertia in frame a, where this one is in frame b.
+
+        Parameters
+        ----------
+        T_ab : Transform
+            From coordinates in frame b to coordinates in frame a.
+
+        Returns
+        -------
+        Inertia
+        """
         tensor = T_ab.R @ self.tensor @ T_ab.R.T
         return Inertia(self.mass, T_ab.R @ self.com + T_ab.p, tensor, self.digits)
 
@@ -144,7 +200,13 @@ class Inertia:
         return Inertia(mass, com, tensor, self.digits + other.digits)
 
     def principal_moments(self) -> Array:
-        """Eigenvalues of the tensor, ascending, shape (3,) [kg m²]."""
+        """Eigenvalues of the tensor about the centre of mass.
+
+        Returns
+        -------
+        ndarray, shape (3,)
+            Ascending [kg m²].
+        """
         return np.asarray(np.linalg.eigvalsh(self.tensor), dtype=np.float64)
 
     def judged(self) -> BodyTest:
@@ -152,9 +214,14 @@ class Inertia:
         return judge_body(self.mass, self.tensor, self.digits)
 
     def triangle_margin(self) -> float:
-        """Smallest of I_a + I_b − I_c over the principal moments [kg m²].
+        """Smallest of I_a + I_b − I_c over the principal moments.
 
         It is not negative for any body of positive density (Wensing, Kim & Slotine 2018).
+
+        Returns
+        -------
+        float
+            [kg m²]
         """
         moments = self.principal_moments()
         return float(moments[0] + moments[1] - moments[2])

@@ -174,13 +174,24 @@ class RobotJoint:
 
 @dataclass(frozen=True, eq=False)
 class Robot:
-    """A whole description.
+    """A whole description, as the file gives it; `load_robot` reads one.
 
-    joints : those whose parent and child exist, each child once: a forest
-    kind : "urdf", "xacro", "mjcf", "sdf" or "dh";  file : as the user gave it
-    gravity : in the root's frame, shape (3,) [m/s²]
-    inputs : (name, SHA-256) of every file that was read
-    urdf : the URDF's text, after xacro expansion, for engines that bring their own parser
+    Attributes
+    ----------
+    name : str
+    links : tuple of RobotLink
+    joints : tuple of RobotJoint
+        Those whose parent and child exist, each child once: a forest.
+    kind : str
+        "urdf", "xacro", "mjcf", "sdf" or "dh".
+    file : str
+        As the user gave it.
+    gravity : ndarray, shape (3,)
+        In the root's frame [m/s²].
+    inputs : tuple of (str, str)
+        Name and SHA-256 of every file that was read.
+    urdf : str or None
+        The URDF's text, after xacro expansion, for engines that bring their own parser.
     """
 
     name: str
@@ -221,21 +232,51 @@ class Robot:
         return tuple(link.name for link in self.links if link.name not in self.above)
 
     def up(self, link: str) -> Iterator[RobotJoint]:
-        """The joints from a link to its root."""
+        """The joints from a link to its root.
+
+        Parameters
+        ----------
+        link : str
+
+        Yields
+        ------
+        RobotJoint
+            The link's own joint first.
+        """
         while link in self.above:
             joint = self.above[link]
             yield joint
             link = joint.parent
 
     def down(self, link: str) -> Iterator[str]:
-        """A link and all that it carries, parents first."""
+        """A link and all that it carries, parents first.
+
+        Parameters
+        ----------
+        link : str
+
+        Yields
+        ------
+        str
+            Names of links.
+        """
         reached = [link]
         for name in reached:
             yield name
             reached += [joint.child for joint in self.below[name]]
 
     def rigid(self, link: str) -> dict[str, Transform]:
-        """A link and all that is fixed to it, with their poses in the link's frame."""
+        """A link and all links that are fixed to it.
+
+        Parameters
+        ----------
+        link : str
+
+        Returns
+        -------
+        dict of str to Transform
+            The pose of each in the frame of `link`.
+        """
         poses = {link: Transform.identity()}
         for name in list(self._rigid_order(link))[1:]:
             joint = self.above[name]
@@ -260,6 +301,6 @@ class Robot:
 
     @cached_property
     def mass(self) -> float:
-        """Of all links, without those whose mass could not be read [kg]."""
+        """Mass of all links, without those whose mass could not be read [kg]."""
         masses = [link.inertial.mass for link in self.links if link.inertial is not None]
         return float(np.nansum(masses)) if masses else 0.0

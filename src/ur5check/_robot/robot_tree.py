@@ -95,8 +95,19 @@ class RobotTree:
     def of(cls, robot: Robot) -> RobotTree:
         """The tree of a robot that `load_robot` read, joints depth first in the file's order.
 
-        Raises ModelError for a robot without a single root or without a moving joint, for floating,
-        planar and ball joints, numbers that could not be read, and a mimic joint without a source.
+        Parameters
+        ----------
+        robot : Robot
+
+        Returns
+        -------
+        RobotTree
+
+        Raises
+        ------
+        ModelError
+            For a robot without a single root or a moving joint, for floating, planar and ball
+            joints, numbers that could not be read, and a mimic joint without a source.
         """
         instance("robot", robot, Robot, "see ur5check.load_robot")
         placements = {_root(robot): (-1, Transform.identity())}
@@ -179,16 +190,44 @@ class RobotTree:
         return replace(self, links=tuple(links), source=self.source.as_value())
 
     def parameters(self) -> Array:
-        """π, shape (10 N,): `Inertia.parameters()` of each moving link, in its frame."""
+        """The inertial parameters π of all N moving links.
+
+        Returns
+        -------
+        ndarray, shape (10 N,)
+            `Inertia.parameters()` of each moving link, in its frame.
+        """
         return np.concatenate([link.link.inertia.parameters() for link in self.links])
 
     def all_joints(self, q: NDArray[Any]) -> NDArray[Any]:
-        """Positions of the N joints, shape (N, states), from the coordinates, (n, states)."""
+        """Positions of the N joints from the n coordinates.
+
+        Parameters
+        ----------
+        q : ndarray, shape (n, states)
+            [rad] or [m]
+
+        Returns
+        -------
+        ndarray, shape (N, states)
+            [rad] or [m]
+        """
         offsets = np.array([link.offset for link in self.links])
         return np.asarray(self.all_rates(q) + offsets[:, None])
 
     def all_rates(self, qd: NDArray[Any]) -> NDArray[Any]:
-        """Velocities or accelerations of the N joints from those of the n coordinates."""
+        """Velocities or accelerations of the N joints from those of the n coordinates.
+
+        Parameters
+        ----------
+        qd : ndarray, shape (n, states)
+            [rad/s] or [m/s]; accelerations in [rad/s²] or [m/s²].
+
+        Returns
+        -------
+        ndarray, shape (N, states)
+            In the same units.
+        """
         multipliers = np.array([link.multiplier for link in self.links])
         return np.asarray(multipliers[:, None] * qd[[link.coordinate for link in self.links]])
 

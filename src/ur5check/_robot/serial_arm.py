@@ -52,6 +52,12 @@ class Limits:
         [rad/s] or [m/s]
     effort : float or None
         Torque [N m] or force [N].
+
+    Examples
+    --------
+    >>> from ur5check import Limits
+    >>> Limits(lower=-3.14, upper=3.14, effort=0.0).known_effort is None
+    True
     """
 
     lower: float | None = None
@@ -126,7 +132,18 @@ class Joint:
         object.__setattr__(self, "axis", frozen(unit, (3,)))
 
     def motion(self, q: float) -> Transform:
-        """J_i(q)."""
+        """The transform J_i(q) of the joint.
+
+        Parameters
+        ----------
+        q : float
+            Joint position [rad] or [m].
+
+        Returns
+        -------
+        Transform
+            Rotation about the axis, or translation along it.
+        """
         if self.kind == "prismatic":
             return Transform.translation(self.axis * q)
         return Transform.rotation(self.axis, q)
@@ -148,6 +165,14 @@ class Link:
         table, P_i⁻¹ for a URDF.  Reports use it to show the numbers of the source.
     welded : tuple of (str, Inertia)
         Bodies fixed to the link that `inertia` contains, in frame i.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from ur5check import Inertia, Link, Transform
+    >>> rod = Inertia(1.2, [-0.2, 0.0, 0.0], np.diag([1e-3, 0.016, 0.016]))
+    >>> Link("rod", Transform.translation((0.4, 0.0, 0.0)), rod).inertia.mass
+    1.2
     """
 
     name: str
@@ -167,14 +192,24 @@ class Link:
 class Source:
     """Where an arm came from.
 
-    kind : "dh", "urdf", "xacro", "mjcf", "sdf", "pinocchio" or "value" (built in Python)
-    inputs : (name, SHA-256) of every file that was read, in reading order
-    urdf : the URDF text, after xacro expansion, for reference engines with a parser of their own
-    model : the `pin.Model`, where the arm was made from one
-    base, tip : names of the links (or frames) at the ends of the chain
-    held : joints beside the arm that do not stand at zero, and where they are held [rad] or [m]
-    notes : remarks of the reader for reports ("merged fixed link 'tool0' …")
-    faults : errors of the file about this arm that `load(…, strict=False)` passed over
+    Attributes
+    ----------
+    kind : str
+        "dh", "urdf", "xacro", "mjcf", "sdf", "pinocchio" or "value" (built in Python).
+    inputs : tuple of (str, str)
+        Name and SHA-256 of every file that was read, in reading order.
+    urdf : str or None
+        The URDF text, after xacro expansion, for reference engines with a parser of their own.
+    model : pin.Model or None
+        Where the arm was made from one.
+    base, tip : str
+        Names of the links (or frames) at the ends of the chain.
+    held : tuple of (str, float)
+        Joints beside the chain and the positions [rad] or [m] at which they are locked.
+    notes : tuple of str
+        Remarks of the reader for reports ("merged fixed link 'tool0' …").
+    faults : tuple of Finding
+        Errors of the file about this arm that `load(…, strict=False)` passed over.
     """
 
     kind: str = "value"
@@ -188,7 +223,12 @@ class Source:
     faults: tuple[Finding, ...] = ()
 
     def as_value(self) -> Source:
-        """The same source without its text, model and faults, for an arm with other numbers."""
+        """The same source without text, model and faults, for an arm whose numbers were changed.
+
+        Returns
+        -------
+        Source
+        """
         return replace(self, urdf=None, model=None, faults=())
 
 
@@ -258,13 +298,33 @@ class SerialArm:
         return tuple(joint.name for joint in self.joints)
 
     def parameters(self) -> Array:
-        """π, shape (10 n,): `Inertia.parameters()` of link 1, link 2, …, each in its frame i."""
+        """The inertial parameters π of all links.
+
+        Returns
+        -------
+        ndarray, shape (10 n,)
+            `Inertia.parameters()` of link 1, link 2, …, each in its frame i.
+        """
         return np.concatenate([link.inertia.parameters() for link in self.links])
 
     def with_inertias(self, inertias: Sequence[Inertia]) -> SerialArm:
-        """The same chain with other inertias, one a link, each in its frame i.
+        """The same chain with other inertias.
 
         Its source then has neither text nor model: engines would read the old inertias from them.
+
+        Parameters
+        ----------
+        inertias : sequence of Inertia, length n
+            One a link, each in its frame i.
+
+        Returns
+        -------
+        SerialArm
+
+        Raises
+        ------
+        UsageError
+            For another number of inertias, or values of another type.
         """
         bodies = _all_of("inertias", inertias, Inertia)
         if len(bodies) != self.n:
@@ -280,7 +340,22 @@ class SerialArm:
         return np.array([joint.armature for joint in self.joints])
 
     def with_armature(self, armature: Sequence[float] | Array) -> SerialArm:
-        """The same arm with other motor inertias, shape (n,)."""
+        """The same arm with other motor inertias.
+
+        Parameters
+        ----------
+        armature : array-like, shape (n,)
+            Reflected through the gear [kg m²]; [kg] for a prismatic joint.
+
+        Returns
+        -------
+        SerialArm
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
+        """
         joints = tuple(
             replace(joint, armature=value)
             for joint, value in zip(
@@ -290,7 +365,22 @@ class SerialArm:
         return replace(self, joints=joints, source=self.source.as_value())
 
     def with_gravity(self, gravity: Sequence[float] | Array) -> SerialArm:
-        """The same arm under another gravity, shape (3,) in its base frame [m/s²]."""
+        """The same arm under another gravity.
+
+        Parameters
+        ----------
+        gravity : array-like, shape (3,)
+            In the arm's base frame [m/s²].
+
+        Returns
+        -------
+        SerialArm
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
+        """
         return replace(self, gravity=frozen(gravity, (3,), "gravity"))
 
     def __repr__(self) -> str:

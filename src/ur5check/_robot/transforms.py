@@ -94,24 +94,78 @@ class Transform:
 
     @classmethod
     def identity(cls) -> Transform:
-        """The transform from a frame to itself."""
+        """The transform from a frame to itself.
+
+        Returns
+        -------
+        Transform
+        """
         return cls(np.eye(3), np.zeros(3))
 
     @classmethod
     def translation(cls, xyz: ArrayLike) -> Transform:
-        """Translation by `xyz`, shape (3,) [m]."""
+        """A translation without rotation.
+
+        Parameters
+        ----------
+        xyz : array-like, shape (3,)
+            [m]
+
+        Returns
+        -------
+        Transform
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
+        """
         return cls(np.eye(3), frozen(xyz, (3,), "xyz"))
 
     @classmethod
     def rotation(cls, axis: ArrayLike, angle: float) -> Transform:
-        """Rotation by `angle` [rad] about the unit vector `axis`, shape (3,) (Rodrigues)."""
+        """A rotation about an axis through the origin (Rodrigues' formula).
+
+        Parameters
+        ----------
+        axis : array-like, shape (3,)
+            Unit vector.
+        angle : float
+            [rad]; multiples of π/2 give exact zeros and ones.
+
+        Returns
+        -------
+        Transform
+
+        Raises
+        ------
+        ModelError, UsageError
+            For another shape, or entries that are not finite numbers.
+        """
         u = frozen(axis, (3,), "axis")
         c, s = cos_sin(number("angle", angle))
         return cls(c * np.eye(3) + s * skew(u) + (1.0 - c) * np.outer(u, u), np.zeros(3))
 
     @classmethod
     def from_rpy(cls, xyz: ArrayLike, rpy: Sequence[float]) -> Transform:
-        """URDF's `<origin xyz rpy>`: R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll), fixed axes."""
+        """URDF's `<origin xyz rpy>`: R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll), fixed axes.
+
+        Parameters
+        ----------
+        xyz : array-like, shape (3,)
+            [m]
+        rpy : array-like, shape (3,)
+            Roll, pitch and yaw [rad].
+
+        Returns
+        -------
+        Transform
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
+        """
         roll, pitch, yaw = frozen(rpy, (3,), "rpy").tolist()
         R = (
             cls.rotation((0, 0, 1), yaw)
@@ -122,10 +176,26 @@ class Transform:
 
     @classmethod
     def from_quaternion(cls, xyz: ArrayLike, wxyz: ArrayLike) -> Transform:
-        """From a quaternion (w, x, y, z) of any norm but zero, and a translation [m].
+        """From a translation and a quaternion of any norm but zero.
 
         The formula divides by the squared norm, so that rotations by π/2 come out exact although
         √½ is not a double.
+
+        Parameters
+        ----------
+        xyz : array-like, shape (3,)
+            [m]
+        wxyz : array-like, shape (4,)
+            The scalar part first.
+
+        Returns
+        -------
+        Transform
+
+        Raises
+        ------
+        ModelError
+            For another shape, entries that are not finite, or a quaternion of zeros.
         """
         w, x, y, z = frozen(wxyz, (4,), "wxyz").tolist()
         squared_norm = w * w + x * x + y * y + z * z
@@ -141,7 +211,22 @@ class Transform:
 
     @classmethod
     def from_matrix(cls, matrix: ArrayLike) -> Transform:
-        """From a homogeneous matrix, shape (4, 4)."""
+        """From a homogeneous matrix.
+
+        Parameters
+        ----------
+        matrix : array-like, shape (4, 4)
+            The last row is not read.
+
+        Returns
+        -------
+        Transform
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
+        """
         T = frozen(matrix, (4, 4), "matrix")
         return cls(T[:3, :3], T[:3, 3])
 
@@ -150,17 +235,33 @@ class Transform:
         return Transform(self.R @ other.R, self.R @ other.p + self.p)
 
     def inverse(self) -> Transform:
-        """T_ba."""
+        """The inverse transform T_ba.
+
+        Returns
+        -------
+        Transform
+        """
         return Transform(self.R.T, -(self.R.T @ self.p))
 
     def matrix(self) -> Array:
-        """The homogeneous matrix, shape (4, 4)."""
+        """The homogeneous matrix.
+
+        Returns
+        -------
+        ndarray, shape (4, 4)
+        """
         T = np.eye(4)
         T[:3, :3], T[:3, 3] = self.R, self.p
         return T
 
     def angle(self) -> float:
-        """Angle of the rotation, in [0, π] rad; accurate near 0 and near π."""
+        """Angle of the rotation; accurate near 0 and near π.
+
+        Returns
+        -------
+        float
+            In [0, π] [rad].
+        """
         twice_sine = np.linalg.norm(
             [
                 self.R[2, 1] - self.R[1, 2],

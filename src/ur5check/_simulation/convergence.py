@@ -72,8 +72,17 @@ class Refinement:
 class Convergence:
     """One motion by every integrator.
 
-    seconds : its duration;  turned : largest rotation of a joint [rad]
-    reference_error : of the reference, from one at a looser tolerance [rad]
+    Attributes
+    ----------
+    arm : SerialArm
+    seconds : float
+        Duration of the motion [s].
+    turned : float
+        Largest rotation of a joint [rad].
+    reference_error : float
+        Of the reference, from one at a looser tolerance [rad].
+    refinements : tuple of Refinement
+        One per integrator.
     """
 
     arm: SerialArm
@@ -101,14 +110,50 @@ def convergence(
     own_halvings: Sequence[int] = OWN_HALVINGS,
     progress: Progress = no_progress,
 ) -> Convergence:
-    """The motion of `arm` from rest at `q` under constant torques, by every integrator.
+    """The motion of an arm from rest under constant torques, by every integrator.
 
-    q, tau : shape (n,) [rad], [N m]
-    engines : keys of engines that can step
-    halvings, own_halvings : k for steps of seconds · 2⁻ᵏ, in a row; empty: without our own
+    Each integrator computes it with steps that are halved repeatedly.  Constant torques keep the
+    equations smooth: a torque that is recomputed once per step would add an error of first order.
 
-    Constant torques keep the equations smooth: a torque that is recomputed once per step would add
-    an error of first order.  Raises as `checked_stepper` does.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    q, tau : array-like, shape (n,)
+        Initial position [rad] and constant torques [N m].
+    seconds : float
+        Duration [s], positive.
+    engines : sequence of str
+        Keys of engines that can step (`steppers`).
+    halvings, own_halvings : sequence of int
+        k for steps of seconds · 2⁻ᵏ, of the engines and of our own integrator, which is left out
+        if empty.
+    progress : callable, optional
+        Called with a line before each integrator.
+
+    Returns
+    -------
+    Convergence
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or an invalid argument.
+    EngineError
+        For an engine that is not installed, or that would simulate another arm.
+
+    References
+    ----------
+    Hairer et al. 1993, II.9.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> result = ur5check.convergence(
+    ...     "paper", [0.0] * 6, [0.0] * 6, seconds=0.1, engines=(), own_halvings=(2, 3)
+    ... )
+    >>> result.apart < 1e-8
+    True
     """
     arm, progress = as_arm(arm), callback("progress", progress)
     seconds = number("seconds", seconds, positive=True)

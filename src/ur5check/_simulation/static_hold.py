@@ -61,16 +61,28 @@ class Mover:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class StaticHold(Result):
-    """The result of test 9.
+    """The result of the paper's test 9: does the arm stand under the torques of a model?
 
-    pair : `a` the plant, `b` the model whose torques were applied, in the plant's coordinates
-    held : whether the torques were constant, otherwise recomputed
-    seconds : the duration asked for
-    motion : of the plant, up to `seconds` or to a joint's limit
-    needed : g(q) of the plant at the start, shape (n,) [N m]
-    tool_drift : distance of the tool from its start, shape (K,) [m]
-    growth : how fast a small deviation grows under constant torques [1/s], see `growth_rate`
-    energy : the plant's energy balance
+    Attributes
+    ----------
+    pair : Pair
+        `a` the plant, `b` the model whose torques were applied, in the plant's coordinates.
+    mover : Mover
+        The engine that moved the arm, and its integrator.
+    held : bool
+        Whether the torques were constant, otherwise recomputed.
+    seconds : float
+        The duration asked for [s].
+    motion : Motion
+        Of the plant at K instants, up to `seconds` or to a joint's limit.
+    needed : ndarray, shape (n,)
+        g(q) of the plant at the start [N m].
+    tool_drift : ndarray, shape (K,)
+        Distance of the tool from its start [m].
+    growth : float
+        How fast a small deviation grows under constant torques [1/s].
+    energy : EnergyBalance
+        Of the plant.
     """
 
     pair: Pair
@@ -147,21 +159,47 @@ def stand(
 
     Parameters
     ----------
-    plant : the arm that moves
-    model : the arm whose torques are applied; its joint angles and base are mapped to the plant's
-        as `comparison` finds them (`pair_up`)
-    q : the plant's posture at the start, at rest, shape (n,) [rad]
-    engine : one of `ENGINES`
-    held : whether the torques stay those of the start, otherwise g(q) of the model at each step
-    dt, integrator : step [s] and integrator of an engine (its default when None); our own
-        integrator adapts its steps
-    progress : called with a line every tenth of the simulated time
+    plant : name, path, pin.Model or SerialArm
+        The arm that moves (see `load`).
+    model : name, path, pin.Model or SerialArm
+        The arm whose torques are applied; its joint angles and base are mapped to the plant's as
+        `pair_up` finds them.
+    q : array-like, shape (n,)
+        The plant's posture at the start, at rest [rad].
+    engine : str
+        "ur5check" or one of `steppers()`.
+    held : bool
+        Whether the torques stay those of the start, otherwise g(q) of the model at each step.
+    seconds : float
+        Simulated time [s], positive.
+    dt : float
+        Step of an engine [s]; our own integrator adapts its steps.
+    integrator : str, optional
+        Of an engine; its default when None.
+    progress : callable, optional
+        Called with a line every tenth of the simulated time.
+
+    Returns
+    -------
+    StaticHold
 
     Raises
     ------
-    UsageError : an option without meaning, or a pose beyond a joint limit
-    StateError : a q of the wrong length
-    EngineError : an engine that is not installed, or that would simulate another arm
+    InputError
+        For an arm that cannot be read, an option without meaning, a posture beyond a joint limit,
+        or a `q` of the wrong length.
+    EngineError
+        For an engine that is not installed, or that would simulate another arm.
+
+    References
+    ----------
+    Paper, test 9.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.static_hold("appendix", "appendix", [0.0] * 6, seconds=0.1).stands
+    True
     """
     plant, model, progress = as_arm(plant), as_arm(model), callback("progress", progress)
     seconds, dt = number("seconds", seconds), number("dt", dt)

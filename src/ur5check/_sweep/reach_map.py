@@ -49,13 +49,13 @@ class ReachGrid:
         return np.minimum(column, RADII - 1) * HEIGHTS + np.clip(row, 0, HEIGHTS - 1)
 
 
-def reach_grid(arm: SerialArm, travel: Array) -> ReachGrid:
+def reach_grid(arm: SerialArm, extent: Array) -> ReachGrid:
     """A grid that contains the whole workspace.
 
-    travel : largest |q| of each joint, shape (n,); used for prismatic joints only [m]
+    extent : largest |q| of each joint, shape (n,); used for prismatic joints only [m]
     """
     lengths = [float(np.linalg.norm(arm.base.p))]
-    for joint, link, far in zip(arm.joints, arm.links, travel, strict=True):
+    for joint, link, far in zip(arm.joints, arm.links, extent, strict=True):
         lengths.append(float(np.linalg.norm(link.link_tip_frame.p)))
         lengths.append(float(far) if joint.kind == "prismatic" else 0.0)
     reach = sum(lengths)

@@ -61,32 +61,56 @@ def sweep(
     checkpoint_every: float = 30.0,
     progress: Callable[[str], None] | None = None,
 ) -> Sweep:
-    """Torque difference of two arms over a large number of states.
-
-    Parameters
-    ----------
-    a, b : a shipped model's name, a path, a `pin.Model` or a `SerialArm` (see `load`)
-    states : their number, by default 1e6; a grid is the largest with no more; not for a log
-    sample : "random", "sobol", "grid" (postures at rest), or a .csv or .parquet log of a's joints
-    seed : of random and Sobol states
-    within_limits : draw positions and velocities within the joint limits (a's, else b's, else the
-        default bounds); otherwise |q| ≤ π, |q̇| ≤ 3.2; always |q̈| ≤ 10
-    tolerance : of all joints, or of each, shape (n,) [N m]: the share of the states with a larger
-        |Δτ| is reported
-    gravity : in each arm's base frame, shape (3,) [m/s²]; by default each arm's own
-    threads : of this process, without a scheduler
-    batch : blocks of 16,384 states per task of a thread or worker; chosen when None
-    scheduler : address of a Dask scheduler ("tcp://…:8786"), whose workers compute the blocks
-    checkpoint : file for intermediate results; the sweep resumes from it if it exists
-    checkpoint_every : seconds between two checkpoints
-    progress : called with a sentence about the progress
+    """Torque difference of two arms over a large number of states, in constant memory.
 
     No digit of the result depends on `threads`, `batch`, `scheduler` or `checkpoint`.
 
+    Parameters
+    ----------
+    a, b : name, path, pin.Model or SerialArm
+        See `load`.
+    states : int, optional
+        Their number, 1e6 when None; a grid is the largest with no more; not for a log.
+    sample : {"random", "sobol", "grid"} or path
+        A grid is one of postures at rest; a path is a .csv or .parquet log of a's joints.
+    seed : int
+        Of random and Sobol states.
+    within_limits : bool
+        Draw positions and velocities within the joint limits (a's, else b's, else the default
+        bounds); otherwise |q| ≤ π rad, |q̇| ≤ 3.2 rad/s; always |q̈| ≤ 10 rad/s².
+    tolerance : float or array-like, shape (n,), optional
+        Of |Δτ| [N m]: the share of the states above it is reported.
+    gravity : array-like, shape (3,), optional
+        In each arm's base frame [m/s²]; each arm's own when None.
+    threads : int
+        Of this process, without a scheduler.
+    batch : int, optional
+        Blocks of 16,384 states per task of a thread or worker; chosen when None.
+    scheduler : str, optional
+        Address of a Dask scheduler ("tcp://…:8786"), whose workers compute the blocks.
+    checkpoint : path, optional
+        File for intermediate results; the sweep resumes from it if it exists.
+    checkpoint_every : float
+        Time between two checkpoints [s].
+    progress : callable, optional
+        Called with a sentence about the progress.
+
+    Returns
+    -------
+    Sweep
+
     Raises
     ------
-    InputError : a model or log that cannot be read, arms that cannot be compared, an invalid
-        argument, a checkpoint of another sweep.
+    InputError
+        For a model or log that cannot be read, arms that cannot be compared, an invalid argument,
+        or a checkpoint of another sweep.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> result = ur5check.sweep("appendix", "erd-ur5", states=1000)
+    >>> result.count, result.agrees
+    (1000, False)
     """
     threads = integer("threads", threads, least=1)
     batch = None if batch is None else integer("batch", batch, least=1)

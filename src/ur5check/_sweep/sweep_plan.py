@@ -90,7 +90,7 @@ def plan_of(pair: Pair, sample: Sample, tolerance: ArrayLike | None) -> Plan:
     """The plan for a pair of arms.  Raises UsageError for an invalid tolerance."""
     of = sample.description()
     box = of.get("box") or box_value(state_box(pair, 0.0))
-    travel = np.abs([box["lower"], box["upper"]]).max(axis=0)
+    extent = np.abs([box["lower"], box["upper"]]).max(axis=0)
     # Every so-many-th posture of a grid could have the same angle of a joint.
     every = 1 if of["kind"] == "grid" else min(max(sample.count // _MAP_STATES, 1), _MAP_EVERY)
     return Plan(
@@ -98,7 +98,7 @@ def plan_of(pair: Pair, sample: Sample, tolerance: ArrayLike | None) -> Plan:
         _bare(pair.b),
         sample,
         None if tolerance is None else _tolerances(tolerance, pair.a.n),
-        reach_grid(pair.a, travel),
+        reach_grid(pair.a, extent),
         every,
     )
 

@@ -23,12 +23,18 @@ QUANTILES = (0.5, 0.9, 0.99, 0.999)
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Sweep(Result):
-    """Δτ = τ_a − τ_b over all states of a plan; arrays of shape (n,) unless said otherwise.
+    """Δτ = τ_a − τ_b of n joints over all states of a sweep.
 
-    pair : both arms, in a's joint coordinates
-    plan : states, tolerance, reach map
-    statistics : of Δτ over all states
-    scale_rms, scale_max : of τ_a in the first block [N m], for comparison
+    Attributes
+    ----------
+    pair : Pair
+        Both arms, in a's joint coordinates.
+    plan : Plan
+        States, tolerance, reach map.
+    statistics : Statistics
+        Of Δτ over all states.
+    scale_rms, scale_max : ndarray, shape (n,)
+        Of τ_a in the first block [N m], for comparison.
     """
 
     pair: Pair
@@ -50,35 +56,69 @@ class Sweep(Result):
 
     @property
     def rms(self) -> Array:
-        """Root mean square of Δτ [N m]."""
+        """Root mean square of Δτ, shape (n,) [N m]."""
         return np.array([mean(total, self.count) ** 0.5 for total in self.statistics.squares])
 
     @property
     def maximum(self) -> Array:
-        """Largest |Δτ| [N m]."""
+        """Largest |Δτ|, shape (n,) [N m]."""
         return self.statistics.maximum
 
     @property
     def effort(self) -> Array:
-        """The joints' effort limits [N m], see `Pair.effort_limits`."""
+        """The joints' effort limits, shape (n,) [N m], see `Pair.effort_limits`."""
         return self.pair.effort_limits
 
     def share_of_effort(self) -> Array:
-        """Maximum as a share of the effort limit; nan where there is no limit."""
+        """The maximum as a share of the effort limit.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            nan where there is no limit.
+        """
         return np.asarray(self.maximum / self.effort)
 
     def worst_state(self, joint: int) -> dict[str, list[float]]:
-        """The state of a joint's maximum, joints counted from 0."""
+        """The state of a joint's maximum.
+
+        Parameters
+        ----------
+        joint : int
+            From 0.
+
+        Returns
+        -------
+        dict
+            "q", "qd" and "qdd", n numbers each [rad], [rad/s], [rad/s²].
+        """
         q, qd, qdd = self.statistics.worst_states[joint].tolist()
         return {"q": q, "qd": qd, "qdd": qdd}
 
     def quantile(self, share: float) -> Array:
-        """|Δτ| that `share` of the states do not exceed [N m], to a relative RELATIVE_ERROR."""
+        """The |Δτ| that a share of the states do not exceed, to a relative RELATIVE_ERROR.
+
+        Parameters
+        ----------
+        share : float
+            From 0 to 1.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            [N m]
+        """
         found = [quantile(counts, share) for counts in self.statistics.bins]
         return np.asarray(np.minimum(found, self.maximum))
 
     def share_over(self) -> Array | None:
-        """Share of the states with |Δτ| above the tolerance; None if there is none."""
+        """Share of the states with |Δτ| above the tolerance.
+
+        Returns
+        -------
+        ndarray, shape (n,), or None
+            None without a tolerance.
+        """
         return (
             None
             if self.plan.tolerance is None

@@ -39,11 +39,28 @@ _NO_DYNAMICS = {"INE101", "INE102", "INE104", "INE105", "INE106", "JNT101", "JNT
 class Judgement:
     """What is known of one model.
 
-    model : as it was given;  file : what reports call it
-    inputs : (name, SHA-256) of the files that were read, meshes too
-    robot : None where the file describes none;  arm : None where there is none, `arm_note` says why
-    laws : of the computation on `arm`; None where it was not checked, `laws_note` says why
-    engines : keys of those whose import of the file was audited
+    Attributes
+    ----------
+    model : str
+        As it was given.
+    file : str
+        What reports call it.
+    inputs : tuple of (str, str)
+        Name and SHA-256 of the files that were read, meshes too.
+    robot : Robot or None
+        None where the file describes none.
+    findings : tuple of Finding
+        The worst first.
+    arm : SerialArm or None
+        None where there is none, and `arm_note` says why.
+    arm_note : str
+    laws : ModelValidation or None
+        Of the computation on `arm`; None where it was not checked, and `laws_note` says why.
+    laws_note : str
+    samples, seed : int
+        Of the states at which the laws were checked.
+    engines : tuple of str
+        Keys of those whose import of the file was audited.
     """
 
     model: str
@@ -60,7 +77,16 @@ class Judgement:
     engines: tuple[str, ...] = ()
 
     def at_least(self, level: Level) -> tuple[Finding, ...]:
-        """Findings of this severity and worse."""
+        """Findings of this severity and worse.
+
+        Parameters
+        ----------
+        level : {"error", "warning", "note"}
+
+        Returns
+        -------
+        tuple of Finding
+        """
         return tuple(
             f for f in self.findings if SEVERITIES.index(f.severity) <= SEVERITIES.index(level)
         )
@@ -72,11 +98,29 @@ class Judgement:
         return all(outcome.passed for outcome in outcomes if outcome.about == "algorithm")
 
     def passed(self, level: Level = "error") -> bool:
-        """Whether there is no finding at or above the level, and no law failed."""
+        """Whether there is no finding at or above the level, and no law failed.
+
+        Parameters
+        ----------
+        level : {"error", "warning", "note"}
+
+        Returns
+        -------
+        bool
+        """
         return self.laws_hold and not self.at_least(level)
 
     def count(self, severity: Severity) -> int:
-        """How many findings have this severity."""
+        """Number of findings of one severity.
+
+        Parameters
+        ----------
+        severity : {"error", "warning", "note"}
+
+        Returns
+        -------
+        int
+        """
         return sum(finding.severity == severity for finding in self.findings)
 
 
@@ -100,25 +144,42 @@ def judge(
 
     Parameters
     ----------
-    model : a shipped model's name or a path
-    base, tip, arm, hold : which chain is the arm (default: a shipped model's own, else as `load`
-        chooses), and where joints beside it are held; `arm` is a name of the chain in place of
-        `tip`, as `load` takes it
-    packages, arguments : of ROS and of a xacro
-    samples, seed : states at which the computation is checked
-    payload : mass at the tip [kg];  expected_mass : of the whole robot [kg]
-    meshes : whether links are compared with their meshes
-    engines : whose import of the whole robot is audited (family ENG): keys, or "all" for all that
-        are installed
+    model : str or path
+        A shipped model's name or a path.
+    base, tip : str, optional
+        Links between which the arm is taken; when None a shipped model's own, else as `load` does.
+    arm : str, optional
+        A name of the chain in place of `tip`, as `load` takes it.
+    hold : mapping of str to float, optional
+        Positions [rad] or [m] at which joints beside the arm are held.
+    packages : mapping of str to path, optional
+        Folders of ROS packages.
+    arguments : mapping of str to str, optional
+        Values for the arguments of a xacro.
+    samples : int
+        Number of random states at which the computation is checked, at least 1.
+    seed : int
+        Of the states, not negative.
+    payload : float
+        Mass at the tip [kg].
+    expected_mass : float, optional
+        Of the whole robot [kg].
+    meshes : bool
+        Whether links are compared with their meshes.
+    engines : sequence of str or "all"
+        Engines whose import of the whole robot is audited (family ENG).
 
     Returns
     -------
-    Judgement : `findings` worst first, `passed()`, the `robot`, its `arm`, and the `laws`
+    Judgement
+        `findings` worst first, `passed()`, the `robot`, its `arm`, and the `laws`.
 
     Raises
     ------
-    UsageError : a name that means nothing, a file that is not there, arguments of a wrong type.
-    EngineError : an engine that was named and is not installed.
+    UsageError
+        For a name that means nothing, a file that is not there, or an invalid argument.
+    EngineError
+        For an engine that was named and is not installed.
 
     Examples
     --------

@@ -28,7 +28,7 @@ class Tolerance:
     """The largest violation of a statement that passes, and the reason.
 
     With `per_joint`, the limit is factor · n · ε · scale: rounding, which grows with the number of
-    joints that a number travels through and with the size of what is added up.  Without, it is
+    joints that a number passes through and with the size of what is added up.  Without, it is
     factor · scale.
     """
 
@@ -80,10 +80,29 @@ class Check(Generic[Subject]):
 class Outcome:
     """The result of a check on one subject.
 
-    value : the worst one;  tolerance : the limit it was held against;  both in `unit`
-    positive : whether the value must exceed the limit, where otherwise it must not
-    samples : how many values were measured
-    worst_state : the joint state of the worst value, None if the check is not about states
+    Attributes
+    ----------
+    id : str
+        Of the check.
+    about : {"algorithm", "body", "numbers"}
+        What it judges: the computation, a body, or the difference of two models.
+    subject : str
+        What was checked.
+    statement, formula : str
+    status : {"pass", "fail"}
+    value : float
+        The worst one, in `unit`.
+    tolerance : float
+        The limit that it was compared with, in `unit`.
+    unit : str
+    samples : int
+        Number of values measured.
+    worst_state : dict or None
+        "q", "qd" and "qdd" of the worst value; None if the check is not about states.
+    positive : bool
+        Whether the value must exceed the limit, where otherwise it must not.
+    details : tuple of str
+        For the report.
     """
 
     id: str
@@ -102,6 +121,7 @@ class Outcome:
 
     @property
     def passed(self) -> bool:
+        """Whether the status is "pass"."""
         return self.status == "pass"
 
 

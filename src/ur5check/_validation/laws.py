@@ -17,7 +17,7 @@ __all__ = ["LAWS"]
 
 _ROUNDING = Tolerance(
     32,
-    "rounding: a number that travels through n joints is rounded some 32 times in each, by ε of "
+    "rounding: a number that passes through n joints is rounded some 32 times in each, by ε of "
     "the size of what is added up",
 )
 

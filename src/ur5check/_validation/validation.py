@@ -35,7 +35,17 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True, eq=False)
 class ModelValidation:
-    """One arm against the laws."""
+    """One arm against the laws of dynamics.
+
+    Attributes
+    ----------
+    arm : SerialArm
+    reference : str
+        The reference engine, with its version.
+    route : str
+        How the model reached it.
+    outcomes : tuple of Outcome
+    """
 
     arm: SerialArm
     reference: str
@@ -45,7 +55,13 @@ class ModelValidation:
 
 @dataclass(frozen=True, eq=False)
 class PairValidation:
-    """One arm against another: what differs, and whether all of it is explained."""
+    """One arm against another: what differs, and whether all of it is explained.
+
+    Attributes
+    ----------
+    difference : Difference
+    outcomes : tuple of Outcome
+    """
 
     difference: Difference
     outcomes: tuple[Outcome, ...]
@@ -58,7 +74,16 @@ class PairValidation:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Validation(Result):
-    """Everything that `validate` found; `reports` shows it."""
+    """Everything that `validate` found.
+
+    Attributes
+    ----------
+    models : tuple of ModelValidation
+    pairs : tuple of PairValidation
+        The first model against each other one.
+    samples, seed : int
+        Of the states.
+    """
 
     models: tuple[ModelValidation, ...]
     pairs: tuple[PairValidation, ...]
@@ -67,7 +92,7 @@ class Validation(Result):
 
     @property
     def outcomes(self) -> tuple[Outcome, ...]:
-        """All of them, models first."""
+        """All outcomes, those of models first."""
         of_models = [o for model in self.models for o in model.outcomes]
         return (*of_models, *(o for pair in self.pairs for o in pair.outcomes))
 
@@ -88,7 +113,7 @@ class Validation(Result):
 
     @property
     def passed(self) -> bool:
-        """Different numbers are no failure as long as their effect is explained."""
+        """Whether the laws hold, bodies are possible and differences are explained."""
         return self.algorithm_right and self.bodies_possible and self.explained
 
 
@@ -99,21 +124,38 @@ def validate(
     gravity: ArrayLike | None = None,
     progress: Progress | None = None,
 ) -> Validation:
-    """Check the laws on every model, with Pinocchio as reference engine, and account for
-    differences.
+    """Check the laws of dynamics on every model, with Pinocchio as reference engine.
 
     Parameters
     ----------
-    models : what `load` takes; the paper's tables and its appendix when none is given.  Each later
-        model is compared with the first.
-    samples, seed : how many random states, drawn from which seed
-    gravity : in each arm's base frame, shape (3,) [m/s²]; each arm's own when None
-    progress : called with a line before each longer step
+    *models : name, path, pin.Model or SerialArm
+        See `load`; the paper's tables and its appendix when none is given.  Each later model is
+        compared with the first.
+    samples : int
+        Number of random states, at least 1.
+    seed : int
+        Of the states, not negative (see `random_states`).
+    gravity : array-like, shape (3,), optional
+        In each arm's base frame [m/s²]; each arm's own when None.
+    progress : callable, optional
+        Called with a line before each longer step.
+
+    Returns
+    -------
+    Validation
 
     Raises
     ------
-    InputError : a model that cannot be read, or arms that cannot be compared.
-    EngineError : Pinocchio cannot take a model.
+    InputError
+        For a model that cannot be read, arms that cannot be compared, or an invalid argument.
+    EngineError
+        If Pinocchio cannot take a model.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.validate("paper", samples=10).algorithm_right
+    True
     """
     from .._engines.adapters.pinocchio import PinocchioEngine
 

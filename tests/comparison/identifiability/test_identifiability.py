@@ -40,7 +40,6 @@ def test_rank_of_the_ur5_is_36_of_60(name):
     assert (found.rank, found.columns) == (36, 60)
     assert found.certain
     assert found.gap > 1e10
-    assert found.doubt == ""
 
 
 def test_planar_arm_in_joint_frames_is_the_textbooks():
@@ -121,7 +120,7 @@ def tilted(angle):
 def test_an_all_but_special_axis_makes_the_rank_uncertain(tilt):
     found = identify(tilted(tilt))
     assert not found.certain
-    assert f"{WEAKEST:.0e} and {CERTAIN_GAP:.0e}" in found.doubt
+    assert found.gap <= CERTAIN_GAP or found.weakest <= WEAKEST
 
 
 def test_an_axis_tilted_by_a_late_digit_is_not_tilted():
@@ -141,7 +140,6 @@ def test_moving_along_the_null_space_changes_no_torque_and_off_it_does(data):
     arm = data.draw(strategies.arms(max_joints=5))
     found = identify(arm)
     if not found.certain:
-        assert found.doubt
         return
     states = random_states(arm.n, 20, seed=5)
     Y = torque_regressor(arm, states.q, states.qd, states.qdd)

@@ -13,7 +13,8 @@ from examples import random_arm
 from ur5check._comparison.arm_pair import pair_up
 from ur5check._comparison.rounding.cylinder_constant import cut_twelfths
 from ur5check._comparison.rounding.decimals import decimals_of, half_units, written_as
-from ur5check._comparison.rounding.error_budget import budget
+from ur5check._comparison.rounding.error_budget import PrintedDigits, budget
+from ur5check._comparison.rounding.exact_constants import RoundedConstant
 from ur5check._comparison.rounding.rounded_angles import rounded_angles, with_exact_angles
 from ur5check._robot import Inertia, Transform
 from ur5check._robot.states import random_states
@@ -27,7 +28,11 @@ def budget_of(a, b, states=STATES):
 
 
 def exact_items(found):
-    return [(item.cause, item.side, item.where) for item in found.items if item.exact]
+    return [(item.cause, item.side) for item in found.items if item.exact]
+
+
+def gravity(written, decimals):
+    return RoundedConstant("9.80665", written, decimals, ("gravity",))
 
 
 def with_quarter_turn(angle):
@@ -45,9 +50,9 @@ def test_a_rounded_angle_explains_its_whole_difference(angle, side):
     rounded = with_quarter_turn(angle)
     found = budget_of(rounded, PAPER) if side == "a" else budget_of(PAPER, rounded)
     decimals = len(str(angle)) - 2
-    cause = f"π/2 written as {angle} ({decimals} decimals)"
-    item = next(item for item in found.items if item.where == "P4")
-    assert (item.cause, item.side) == (cause, side)
+    cause = RoundedConstant("π/2", str(angle), decimals, ("P4",))
+    item = next(item for item in found.items if item.cause == cause)
+    assert item.side == side
     np.testing.assert_allclose(found.total, item.rms, rtol=1e-3, atol=1e-4 * found.total.max())
     assert found.remainder_maximum.max() <= found.rounding
 
@@ -95,8 +100,8 @@ def cylinder_arm(twelfth, *, radius=0.06, length=0.4):
 @pytest.mark.parametrize("constant", [0.0833, 0.08333, 0.0833333])
 def test_a_cut_twelfth_explains_its_whole_difference(constant):
     found = budget_of(cylinder_arm(1 / 12), cylinder_arm(constant))
-    all_links = ", ".join(f"link {i}" for i in range(1, 7))
-    assert exact_items(found) == [(f"1/12 written as {constant}", "b", all_links)]
+    all_links = tuple(f"link {i}" for i in range(1, 7))
+    assert exact_items(found) == [(RoundedConstant("1/12", str(constant), None, all_links), "b")]
     assert found.total.max() > 1e-8
     assert found.remainder_maximum.max() <= found.rounding
 
@@ -110,22 +115,20 @@ def test_cylinders_that_are_no_evidence():
 
 def test_two_writings_of_gravity():
     found = budget_of(PAPER, PAPER.with_gravity([0, 0, -9.80665]))
-    assert ("9.80665 written as 9.81 (2 decimals)", "a", "gravity") in exact_items(found)
+    assert (gravity("9.81", 2), "a") in exact_items(found)
     assert found.remainder_maximum.max() <= found.rounding
     moon = budget_of(PAPER, PAPER.with_gravity([0, 0, -1.62]))
-    assert "gravity" not in {item.where for item in moon.items}
+    assert all("gravity" not in cause.where for cause, _ in exact_items(moon))
     same = budget_of(PAPER, PAPER)
-    assert "gravity" not in {item.where for item in same.items}
+    assert all("gravity" not in cause.where for cause, _ in exact_items(same))
     assert same.digits_suffice
 
 
 def test_the_listing_against_the_paper():
     found = budget_of(ur5check.load("paper-listing"), PAPER)
-    assert exact_items(found)[0] == ("π/2 written as 1.5707 (4 decimals)", "a", "P1, P4, P5")
-    assert exact_items(found)[-2:] == [
-        ("9.80665 written as 9.806 (3 decimals)", "a", "gravity"),
-        ("9.80665 written as 9.81 (2 decimals)", "b", "gravity"),
-    ]
+    quarter_turn = RoundedConstant("π/2", "1.5707", 4, ("P1", "P4", "P5"))
+    assert exact_items(found)[0] == (quarter_turn, "a")
+    assert exact_items(found)[-2:] == [(gravity("9.806", 3), "a"), (gravity("9.81", 2), "b")]
     assert 1e-3 < found.explained.max() < 0.1
     assert found.remainder[1] > 10.0  # the lost signs are no digits
     assert not found.digits_suffice
@@ -133,10 +136,9 @@ def test_the_listing_against_the_paper():
 
 def test_the_librarys_ur5_against_the_appendix():
     found = budget_of(ur5check.load("erd-ur5"), APPENDIX)
-    causes = [cause for cause, _, _ in exact_items(found)]
-    assert causes == [
-        "π/2 written as 1.57079632679 (11 decimals)",
-        *["1/12 written as 0.0833333"] * 2,
+    assert [(cause.constant, cause.written, cause.decimals) for cause, _ in exact_items(found)] == [
+        ("π/2", "1.57079632679", 11),
+        *[("1/12", "0.0833333", None)] * 2,
     ]
     assert found.items[0].maximum.max() < 1e-9
 
@@ -176,7 +178,8 @@ def test_numbers_that_both_files_share_cancel():
         [replace(PAPER.links[0].inertia, mass=3.8), *(link.inertia for link in PAPER.links[1:])]
     )
     found = budget_of(PAPER, heavier)
-    assert [item.where for item in found.items if not item.exact] == ["1 number", "1 number"]
+    one = PrintedDigits("inertial parameters", 1)
+    assert [item.cause for item in found.items if not item.exact] == [one, one]
 
 
 @pytest.mark.parametrize(

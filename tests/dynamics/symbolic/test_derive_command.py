@@ -49,7 +49,7 @@ def test_the_text_says_where_it_comes_from(say, tmp_path, target, mark):
     assert say(*G, "--to", target, "-o", file, "--quiet") == (0, "", "")
     head = [line for line in file.read_text(encoding="utf-8").splitlines() if line.startswith(mark)]
     said = "\n".join(head)
-    assert f"{mark} Made by: ur5check derive paper --quantity g --to {target}" in said
+    assert f"{mark} Command: ur5check derive paper --quantity g --to {target}" in said
     ((name, digest),) = ur5check.load("paper").source.inputs
     assert f"from {name}, SHA-256 {digest}" in said
     assert f"ur5check {ur5check.__version__}, python" in said

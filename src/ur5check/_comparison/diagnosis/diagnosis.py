@@ -61,15 +61,24 @@ class RecognizedMistake:
 
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
-    """All mistakes that were recognised, and what they leave.
+    """All mistakes that were recognised, and the difference that remains.
 
-    pair : the arms, in the reading that needs fewest assumptions
-    mistakes : in the order of repairing
-    unexplained : numbers on which the arms disagree and which no known mistake explains
-    before, after : RMS of Δτ as the arms are, and with everything repaired [N m]
-    repaired_a : a as it was given, less the mistakes that are taken to be its own
-    repaired_b : b as it was given, with every mistake repaired that repairing b can repair
-    aligned : both arms in the pair's coordinates, with everything repaired
+    Attributes
+    ----------
+    pair : Pair
+        The arms, in the reading that needs fewest assumptions.
+    mistakes : tuple of RecognizedMistake
+        In the order of repairing.
+    unexplained : tuple of Mismatch
+        Numbers on which the arms disagree and which no known mistake explains.
+    before, after : float
+        RMS of Δτ over joints and states as the arms are, and with everything repaired [N m].
+    repaired_a : SerialArm
+        Arm a as it was given, less the mistakes that are taken to be its own.
+    repaired_b : SerialArm
+        Arm b as it was given, with every mistake repaired that repairing b can repair.
+    aligned : mapping of {"a", "b"} to SerialArm
+        Both arms in the pair's coordinates, with everything repaired.
     """
 
     pair: Pair
@@ -83,8 +92,32 @@ class Diagnosis:
 
 
 def diagnose(pair: Pair, states: States) -> Diagnosis:
-    """Look for known mistakes between two arms, and measure what repairing them does to the
-    torques.
+    """Look for known mistakes between two arms, and measure how much of Δτ each accounts for.
+
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    states : States, shape (N, n)
+        In the coordinates of the pair's first arm.
+
+    Returns
+    -------
+    Diagnosis
+
+    Raises
+    ------
+    InputError
+        For other types, no state, or states of another number of joints.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> arm = ur5check.load("paper")
+    >>> pair = ur5check.pair_up(arm, arm.with_gravity(-arm.gravity))
+    >>> found = ur5check.diagnose(pair, ur5check.random_states(6, 10, seed=0))
+    >>> [mistake.id for mistake in found.mistakes]
+    ['gravity-sign']
     """
     check_pair(pair, states)
     reading, rivals = best_reading(pair)

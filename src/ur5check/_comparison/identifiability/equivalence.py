@@ -48,11 +48,18 @@ class VisibleSplit:
 class Equivalence:
     """How arm b's dynamics differ from arm a's.
 
-    split : Δπ = π_a − π_b, in a's link frames, as visible and invisible part
-    visible : largest torque that the visible part makes with a's geometry, per joint (n,) [N m]
-    other : largest torque difference that is not Y Δπ: geometry and gravity, per joint (n,) [N m]
-    largest : largest torque of arm a [N m]
-    same_numbers : whether Δπ is rounding only
+    Attributes
+    ----------
+    split : VisibleSplit
+        Δπ = π_a − π_b, in a's link frames, as visible and invisible part.
+    visible : ndarray, shape (n,)
+        Largest torque that the visible part makes with a's geometry, per joint [N m].
+    other : ndarray, shape (n,)
+        Largest torque difference that is not Y Δπ (geometry and gravity), per joint [N m].
+    largest : float
+        Largest torque of arm a [N m].
+    same_numbers : bool
+        Whether Δπ is rounding only.
     """
 
     split: VisibleSplit
@@ -83,7 +90,31 @@ def equivalence(
 ) -> Equivalence:
     """Judge a pair of arms by the torques that their difference makes at these states.
 
-    identifiability : `identify(pair.a)`, where it is known already
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    states : States, shape (N, n)
+        In the coordinates of the pair's first arm.
+    identifiability : Identifiability, optional
+        `identify(pair.a)`, where it is known already.
+
+    Returns
+    -------
+    Equivalence
+
+    Raises
+    ------
+    InputError
+        For other types, no state, or states of another number of joints.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> found = ur5check.equivalence(pair, ur5check.random_states(6, 10, seed=0))
+    >>> found.dynamically_equivalent
+    False
     """
     check_pair(pair, states)
     if identifiability is not None:

@@ -42,7 +42,7 @@ __all__ = [
 
 Label = Literal["identifiable", "in combination", "invisible"]
 
-#: The rank is beyond doubt where singular values fall by more than this.  Exact geometry gives some
+#: The rank is certain where singular values fall by more than this.  Exact geometry gives some
 #: 1e11, and rounded angles of 11 digits still 1e8.
 CERTAIN_GAP = 1e6
 
@@ -59,15 +59,25 @@ _KIND = (0, 1, 1, 1, 2, 2, 2, 2, 2, 2)  # mass, first moment, tensor: their unit
 class Identifiability:
     """Which of an arm's 10 n parameters its torques identify.
 
-    names : "m1", "mx1" … "Izz1", "m2" …, in the order of `SerialArm.parameters`
-    rank : number of base parameters
-    singular_values : of Y over seeded random states, columns scaled by kind, shape (10 n,)
-    gap : smallest kept over largest dropped of them
-    base, dependent : places of the parameters that stand for a combination, and of the others
-    beta : shape (rank, 10 n − rank), with π_base = π[base] + beta @ π[dependent]
-    null_space : shape (10 n, 10 n − rank); column k raises dependent parameter k by one and
-        changes the base parameters so that no torque changes
-    labels : what each parameter is, shape (10 n,)
+    Attributes
+    ----------
+    names : tuple of str, length 10 n
+        "m1", "mx1" … "Izz1", "m2" …, in the order of `SerialArm.parameters`.
+    rank : int
+        Number of base parameters.
+    gap : float
+        Smallest kept over largest dropped singular value.
+    singular_values : ndarray, shape (10 n,)
+        Of Y over seeded random states, columns scaled by kind.
+    base, dependent : tuple of int, lengths rank and 10 n − rank
+        Places of the parameters that stand for a combination, and of the others.
+    beta : ndarray, shape (rank, 10 n − rank)
+        π_base = π[base] + beta @ π[dependent].
+    null_space : ndarray, shape (10 n, 10 n − rank)
+        Column k raises dependent parameter k by one and changes the base parameters so that no
+        torque changes.
+    labels : tuple of str, length 10 n
+        "identifiable", "in combination" or "invisible".
     """
 
     names: tuple[str, ...]
@@ -87,33 +97,46 @@ class Identifiability:
 
     @property
     def weakest(self) -> float:
-        """The smallest kept singular value, as a part of the largest of all."""
+        """The smallest kept singular value, as a share of the largest of all."""
         return float(self.singular_values[self.rank - 1] / self.singular_values[0])
 
     @property
     def certain(self) -> bool:
-        """Whether the gap is huge, and nothing that was kept is all but dropped."""
+        """Whether the rank is certain: `gap` above CERTAIN_GAP, and `weakest` above WEAKEST."""
         return self.gap > CERTAIN_GAP and self.weakest > WEAKEST
 
-    @property
-    def doubt(self) -> str:
-        """Why the rank is not certain; empty where it is."""
-        if self.certain:
-            return ""
-        return (
-            f"rank {self.rank} of {self.columns} is not certain: the weakest direction kept is "
-            f"{self.weakest:.1e} of the strongest and {self.gap:.1e} times what is dropped "
-            f"(wanted: more than {WEAKEST:.0e} and {CERTAIN_GAP:.0e}); some axis or length is all "
-            "but special, by a rounded angle or a tiny offset"
-        )
-
     def names_of(self, label: Label) -> tuple[str, ...]:
-        """The parameters with this label."""
+        """The parameters with a label.
+
+        Parameters
+        ----------
+        label : {"identifiable", "in combination", "invisible"}
+
+        Returns
+        -------
+        tuple of str
+        """
         pairs = zip(self.names, self.labels, strict=True)
         return tuple(name for name, own in pairs if own == label)
 
     def base_parameters(self, pi: ArrayLike) -> Array:
-        """π_base of parameters (or of a parameter difference) π, shape (10 n,); shape (rank,)."""
+        """The base parameters π_base of parameters, or of a difference of parameters.
+
+        Parameters
+        ----------
+        pi : array-like, shape (10 n,)
+            In the frames that `identify` was given.
+
+        Returns
+        -------
+        ndarray, shape (rank,)
+            [kg], [kg m] or [kg m²], as the parameters at `base`.
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
+        """
         pi = frozen(pi, (self.columns,))
         return np.asarray(pi[list(self.base)] + self.beta @ pi[list(self.dependent)])
 
@@ -121,6 +144,10 @@ class Identifiability:
         """Each base parameter written out, as "Izz1 + Iyy2 + 0.1806·m3"; coefficients to 4 digits.
 
         A coefficient below SAME_DIRECTION, in SI units, is a rounded digit and is left out.
+
+        Returns
+        -------
+        tuple of str, length rank
         """
         return tuple(
             self.names[place]
@@ -142,10 +169,37 @@ def identify(
 ) -> Identifiability:
     """The base parameters of an arm.  Its inertias play no part, only geometry and gravity.
 
-    seed : of the random states at which Y is evaluated; the result does not depend on it
-    gravity : in the arm's base frame, shape (3,) [m/s²]; its own when None
-    frame : "link", parameters in the frames i, as `SerialArm.parameters` has them; "source", in
-        the frames in which the arm's own file writes them (for a URDF those at the joints)
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    seed : int
+        Of the random states at which Y is evaluated; the result does not depend on it.
+    gravity : array-like, shape (3,), optional
+        In the arm's base frame [m/s²]; its own when None.
+    frame : {"link", "source"}
+        Parameters in the frames i, as `SerialArm.parameters` has them, or in the frames in which
+        the arm's own file writes them (for a URDF those at the joints).
+
+    Returns
+    -------
+    Identifiability
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or an invalid argument.
+
+    References
+    ----------
+    Gautier & Khalil 1990; Mayeda, Yoshida & Osuka 1990; Gautier 1991.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> found = ur5check.identify("paper")
+    >>> found.rank, found.columns
+    (36, 60)
     """
     arm = as_arm(arm)
     choice("frame", frame, ("link", "source"))
@@ -174,7 +228,7 @@ def identify(
 def _scale(Y: Array) -> Array:
     """For each column, the largest column of its kind over all links.
 
-    A column is not scaled by its own size: one that a rounded angle has lifted from zero to 1e-9
+    A column is not scaled by its own size: one that a rounded angle has raised from zero to 1e-9
     would look as large as any.
     """
     sizes = np.linalg.norm(Y, axis=0).reshape(-1, 10)

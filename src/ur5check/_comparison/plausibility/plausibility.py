@@ -31,9 +31,32 @@ __all__ = ["Plausibility", "plausibility"]
 def plausibility(arm: ArmSource, meshes: Meshes | None = None) -> tuple[Plausibility, ...]:
     """Implausible numbers of an arm, link by link, then of the whole arm.
 
-    meshes : the links' shapes (default: those that the arm's URDF names, see `link_meshes`)
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    meshes : Meshes, optional
+        The links' shapes; those that the arm's URDF names when None.
 
-    Empty if there are none. Findings are not failures: the numbers may be right.
+    Returns
+    -------
+    tuple of Plausibility
+        Empty if nothing is implausible.  These are no failures: the numbers may be right.
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or another type of meshes.
+
+    References
+    ----------
+    Wensing, Kim & Slotine 2018; Traversaro et al. 2016.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> {found.severity for found in ur5check.plausibility("paper")}
+    {'suspicious'}
     """
     arm = as_arm(arm)
     if meshes is not None:

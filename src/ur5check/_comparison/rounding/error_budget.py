@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -25,41 +26,65 @@ from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
 from ..arm_pair import Pair, Side, check_pair
-from .exact_constants import STEPS, Arms
+from .exact_constants import STEPS, Arms, RoundedConstant
 from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
 
-__all__ = ["BudgetItem", "ErrorBudget", "budget"]
+__all__ = ["BudgetItem", "ErrorBudget", "PrintedDigits", "budget"]
 
 _ROUNDING = 64 * float(np.finfo(np.float64).eps)  # as in `attribution`
+
+
+@dataclass(frozen=True)
+class PrintedDigits:
+    """The last printed digit of so many numbers of one arm that differ from the other's."""
+
+    quantity: Literal["inertial parameters", "lengths"]
+    count: int
 
 
 @dataclass(frozen=True, eq=False)
 class BudgetItem:
     """The torque error of one kind of rounding, over N states.
 
-    cause : a clause, as "π/2 written as 1.5707 (4 decimals)"
-    side : the arm that has it;  where : "P1, P4, P5"
-    rms, maximum : per joint, shape (n,) [N m]
-    exact : True for a recomputed difference; False for a bound
+    Attributes
+    ----------
+    cause : RoundedConstant or PrintedDigits
+        What was rounded.
+    side : {"a", "b"}
+        The arm that has it.
+    rms, maximum : ndarray, shape (n,)
+        Of the torque, per joint [N m].
     """
 
-    cause: str
+    cause: RoundedConstant | PrintedDigits
     side: Side
-    where: str
     rms: Array
     maximum: Array
-    exact: bool
+
+    @property
+    def exact(self) -> bool:
+        """Whether the difference was recomputed; otherwise it is a bound."""
+        return isinstance(self.cause, RoundedConstant)
 
 
 @dataclass(frozen=True, eq=False)
 class ErrorBudget:
-    """A torque difference, what rounding explains of it, and the rest; per joint, shape (n,) [N m].
+    """A torque difference, what rounded numbers explain of it, and the rest.
 
-    items : recomputed ones first, in the order of the steps, then bounds
-    total : RMS of Δτ;  explained : RMS of the sum of all recomputed items
-    remainder, remainder_maximum : RMS and maximum of the unexplained part
-    bound : RMS of all bounds together, taken as independent
-    rounding : what rounding alone makes of a difference
+    Attributes
+    ----------
+    items : tuple of BudgetItem
+        Recomputed ones first, in the order of the steps, then bounds.
+    total : ndarray, shape (n,)
+        RMS of Δτ [N m].
+    explained : ndarray, shape (n,)
+        RMS of the sum of all recomputed items [N m].
+    remainder, remainder_maximum : ndarray, shape (n,)
+        RMS and maximum of the unexplained part [N m].
+    bound : ndarray, shape (n,)
+        RMS of all bounds together, taken as independent [N m].
+    rounding : float
+        What floating-point rounding alone makes of a difference [N m].
     """
 
     items: tuple[BudgetItem, ...]
@@ -78,10 +103,34 @@ class ErrorBudget:
 
 
 def budget(pair: Pair, states: States) -> ErrorBudget:
-    """The torque error due to rounding in a pair of arms, at these states.
+    """The torque error due to rounded numbers in a pair of arms, at these states.
 
     Joint signs and offsets stay those of the pair; its base transform turns gravity and arm
     together and plays no part in torque.
+
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    states : States, shape (N, n)
+        In the coordinates of the pair's first arm.
+
+    Returns
+    -------
+    ErrorBudget
+
+    Raises
+    ------
+    InputError
+        For other types, no state, or states of another number of joints.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> found = ur5check.error_budget(pair, ur5check.random_states(6, 10, seed=0))
+    >>> found.digits_suffice
+    False
     """
     check_pair(pair, states)
     arms: Arms = {"a": pair.a, "b": pair.given_b}
@@ -95,9 +144,7 @@ def budget(pair: Pair, states: States) -> ErrorBudget:
             torque[found.side] = _torque(pair, found.side, found.arm, states)
             before, left = left, torque["a"] - torque["b"]
             part = before - left
-            items.append(
-                BudgetItem(found.cause, found.side, found.where, _rms(part), _max(part), exact=True)
-            )
+            items.append(BudgetItem(found.cause, found.side, _rms(part), _max(part)))
     bounds = [*_bounds(pair, states, "a"), *_bounds(pair, states, "b")]
     return ErrorBudget(
         (*items, *bounds),
@@ -126,15 +173,17 @@ def _bounds(pair: Pair, states: States, side: Side) -> Iterator[BudgetItem]:
     Y = torque_regressor(moved, states.q, states.qd, states.qdd)
     inertial = torque_of_inertial_digits(arms[side], numbers, Y)
     lengths = torque_of_lengths(arms[side], numbers, lambda arm: _torque(pair, side, arm, states))
-    for what, parts in (("masses, centres and tensors", inertial), ("lengths", lengths)):
-        if len(parts):
+    digits = (
+        (PrintedDigits("inertial parameters", len(inertial)), inertial),
+        (PrintedDigits("lengths", len(lengths)), lengths),
+    )
+    for cause, parts in digits:
+        if cause.count:
             yield BudgetItem(
-                f"last printed digit of {what}",
+                cause,
                 side,
-                f"{len(parts)} number{'s' if len(parts) > 1 else ''}",
                 np.sqrt((parts**2).sum(axis=0).mean(axis=0) / 3.0),
                 np.abs(parts).sum(axis=0).max(axis=0),
-                exact=False,
             )
 
 

@@ -13,7 +13,7 @@ from .cylinder_constant import cut_twelfths, with_exact_twelfth
 from .decimals import Writing, written_as
 from .rounded_angles import rounded_angles, with_exact_angles
 
-__all__ = ["GRAVITY", "STEPS", "Arms", "Correction"]
+__all__ = ["GRAVITY", "STEPS", "Arms", "Correction", "RoundedConstant"]
 
 #: Standard gravity [m/s²] (3rd CGPM, 1901): 9.8, 9.81, 9.806 and 9.807 write it with fewer digits.
 GRAVITY = 9.80665
@@ -21,16 +21,30 @@ GRAVITY = 9.80665
 Arms = dict[Side, SerialArm]
 
 
-@dataclass(frozen=True, eq=False)
-class Correction:
-    """One kind of rounded constant corrected in one arm.
+@dataclass(frozen=True)
+class RoundedConstant:
+    """A constant that an arm has with fewer digits.
 
-    cause : a clause;  where : which transforms or links;  arm : the arm afterwards
+    constant : "π/2", "1/12" or "9.80665";  written : as the arm has it, "1.5707"
+    decimals : of a number that was written down; None where it is a factor of computed numbers
+    where : the transforms "P1" or "B", the links "link 2", or "gravity"
     """
 
-    cause: str
+    constant: str
+    written: str
+    decimals: int | None
+    where: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Correction:
+    """One rounded constant corrected in one arm.
+
+    cause : the constant;  arm : the arm afterwards
+    """
+
+    cause: RoundedConstant
     side: Side
-    where: str
     arm: SerialArm
 
 
@@ -44,8 +58,8 @@ def angles(arms: Arms) -> Iterator[Correction]:
                 each for each in found if (each.constant, each.writing) == (constant, writing)
             )
             arm = with_exact_angles(arm, group)
-            where = ", ".join(each.where for each in group)
-            yield Correction(_in_words(constant, writing), side, where, arm)
+            where = tuple(each.where for each in group)
+            yield Correction(_rounded(constant, writing, where), side, arm)
 
 
 def twelfths(arms: Arms) -> Iterator[Correction]:
@@ -55,8 +69,8 @@ def twelfths(arms: Arms) -> Iterator[Correction]:
         for constant in {cut.constant: None for cut in found}:
             group = tuple(cut for cut in found if cut.constant == constant)
             arm = with_exact_twelfth(arm, group)
-            where = ", ".join(f"link {cut.link}" for cut in group)
-            yield Correction(f"1/12 written as {constant}", side, where, arm)
+            where = tuple(f"link {cut.link}" for cut in group)
+            yield Correction(RoundedConstant("1/12", constant, None, where), side, arm)
 
 
 def gravities(arms: Arms) -> Iterator[Correction]:
@@ -71,12 +85,12 @@ def gravities(arms: Arms) -> Iterator[Correction]:
     for side, writing in writings.items():
         if writing is not None:
             better = arms[side].with_gravity(arms[side].gravity * (GRAVITY / sizes[side]))
-            yield Correction(_in_words(str(GRAVITY), writing), side, "gravity", better)
+            yield Correction(_rounded(str(GRAVITY), writing, ("gravity",)), side, better)
 
 
 #: The steps of an error budget, in order.
 STEPS: tuple[Callable[[Arms], Iterator[Correction]], ...] = (angles, twelfths, gravities)
 
 
-def _in_words(constant: str, writing: Writing) -> str:
-    return f"{constant} written as {writing.text} ({writing.decimals} decimals)"
+def _rounded(constant: str, writing: Writing, where: tuple[str, ...]) -> RoundedConstant:
+    return RoundedConstant(constant, writing.text, writing.decimals, where)

@@ -31,16 +31,28 @@ ROUNDING = 64 * float(np.finfo(np.float64).eps)
 class WorstCase:
     """The largest torque difference that was found, and its state.
 
-    what : "one joint" or "all joints together"
-    joint : number, from 1; None for all together
-    static : whether the arm stands still: gravity torque only
-    value, unit : |Δτ_j|, "N m" (or "N"); for all together √Σ (Δτ_j / effort_j)², "of the effort
-        limits", or √Σ Δτ_j² in "N m" where an effort limit is not known
-    effort_share : the value as a share of the effort limit; None where that is not known
-    state : q, qd and qdd, n numbers each
-    best_random : the value at the best of the random states
-    starts : ascents begun; 0 where the two arms differ by rounding only
-    evaluations : evaluations of Δτ and its gradient
+    Attributes
+    ----------
+    what : {"one joint", "all joints together"}
+    joint : int or None
+        From 1; None for all together.
+    static : bool
+        Whether the arm stands still: gravity torque only.
+    value : float
+        |Δτ_j| for one joint; for all together √Σ (Δτ_j / effort_j)², or √Σ Δτ_j² where an effort
+        limit is not known.  A search found it: the maximum is at least this.
+    unit : str
+        "N m" or "N"; "of the effort limits" for shares of them.
+    effort_share : float or None
+        The value as a share of the effort limit; None where that is not known.
+    state : dict
+        "q", "qd" and "qdd", n numbers each [rad], [rad/s], [rad/s²].
+    best_random : float
+        The value at the best of the random states.
+    starts : int
+        Ascents begun; 0 where the two arms differ by rounding only.
+    evaluations : int
+        Evaluations of Δτ and its gradient.
     """
 
     what: Literal["one joint", "all joints together"]
@@ -85,17 +97,40 @@ def worst_cases(
     starts: int = 12,
     random_states: int = 100_000,
 ) -> tuple[WorstCase, ...]:
-    """The largest torque differences of a pair: 2 n + 2 results.
+    """The largest torque differences of a pair that a search finds: 2 n + 2 results.
 
     First in motion, joint by joint and then all joints together; then in the same order at rest,
-    with gravity torque only.  The states lie in `state_box(pair, acceleration)`.
+    with gravity torque only.  The states lie within the joint limits (docs/worst-case.md).
 
-    pair : see `pair_up`
-    seed, random_states : the random states at which the ascents begin
-    acceleration : bound on |q̈| [rad/s²]
-    starts : ascents for each result
+    Parameters
+    ----------
+    pair : Pair
+        See `pair_up`.
+    seed : int
+        Of the random states, not negative.
+    acceleration : float
+        Bound on |q̈| [rad/s²], positive.
+    starts : int
+        Ascents for each result, at least 1.
+    random_states : int
+        Number of random states, the best of which begin the ascents; at least 1.
 
-    Raises UsageError for a count below one, a negative seed, or a bound that is no positive number.
+    Returns
+    -------
+    tuple of WorstCase
+
+    Raises
+    ------
+    UsageError
+        For an invalid argument.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> found = ur5check.worst_cases(pair, starts=1, random_states=100)
+    >>> len(found), found[0].value >= found[0].best_random
+    (14, True)
     """
     instance("pair", pair, Pair, "see ur5check.pair_up")
     starts = integer("starts", starts, least=1)

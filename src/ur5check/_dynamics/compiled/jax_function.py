@@ -23,10 +23,32 @@ JaxFunction = Callable[[Any, Any, Any], Any]
 
 
 def jax_rnea(arm: ArmSource) -> JaxFunction:
-    """τ(q, q̇, q̈) of one state, arrays of shape (n,) [rad], [rad/s], [rad/s²] to (n,) [N m].
+    """Inverse dynamics of one state as a JAX function, under the arm's own gravity.
 
-    Under the arm's own gravity.  Raises UsageError if JAX is not installed, or computes with 32
-    bits.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+
+    Returns
+    -------
+    callable
+        τ(q, q̇, q̈): arrays of shape (n,) [rad], [rad/s], [rad/s²] to one of shape (n,) [N m];
+        `jax.jit`, `jax.vmap` and `jax.jacfwd` work on it.
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read; if JAX is not installed, or computes with 32 bits.
+
+    Examples
+    --------
+    >>> import jax
+    >>> import ur5check
+    >>> jax.config.update("jax_enable_x64", True)
+    >>> rest = jax.numpy.zeros(6)
+    >>> ur5check.jax_rnea("appendix")(rest, rest, rest)[1:3].round(2).tolist()
+    [-57.97, -14.48]
     """
     return _function(trace(arm, "tau"))
 

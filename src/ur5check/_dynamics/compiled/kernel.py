@@ -49,12 +49,33 @@ def compile(  # noqa: A001
 ) -> Kernel:
     """Compiled dynamics of an arm under its own gravity.
 
-    threads : that share the states; machine code releases the GIL
-    path : "llvm" (`ur5check[fast]`) or "numpy"; None: LLVM where llvmlite is installed
+    A quantity is compiled at its first call, and later loaded from disk (docs/kernels.md).
 
-    A quantity is compiled at its first call, and later loaded from disk (`kernel_cache`).
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    threads : int
+        Threads that share the states, at least 1; machine code releases the GIL.
+    path : {"llvm", "numpy"}, optional
+        LLVM where llvmlite is installed (`ur5check[fast]`) when None.
 
-    Raises UsageError for a number of threads below 1 or a path that is not installed.
+    Returns
+    -------
+    Kernel
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, fewer threads than 1, or a path that is not installed.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ur5check
+    >>> kernel = ur5check.compile("paper", path="numpy")
+    >>> kernel.gravity_torque(np.zeros((1000, 6))).shape
+    (1000, 6)
     """
     return Kernel(as_arm(arm), *_checked(threads, path))
 
@@ -62,9 +83,34 @@ def compile(  # noqa: A001
 def compile_difference(
     a: ArmSource, b: ArmSource, threads: int = 1, *, path: Path | None = None
 ) -> DifferenceKernel:
-    """τ_a − τ_b of two arms in the same joint coordinates (`_comparison.arm_pair`).
+    """The compiled torque difference τ_a − τ_b of two arms.
 
-    Raises UsageError as `compile`, and for arms of different length.
+    Parameters
+    ----------
+    a, b : name, path, pin.Model or SerialArm
+        In the same joint coordinates (see `pair_up`).
+    threads : int
+        Threads that share the states, at least 1.
+    path : {"llvm", "numpy"}, optional
+        LLVM where llvmlite is installed (`ur5check[fast]`) when None.
+
+    Returns
+    -------
+    DifferenceKernel
+
+    Raises
+    ------
+    InputError
+        As `compile`, and for arms with different numbers of joints.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ur5check
+    >>> pair = ur5check.pair_up("appendix", "erd-ur5")
+    >>> kernel = ur5check.compile_difference(pair.a, pair.b, path="numpy")
+    >>> kernel(*np.zeros((3, 1000, 6))).shape
+    (1000, 6)
     """
     a, b = as_arm(a), as_arm(b)
     if a.n != b.n:
@@ -74,12 +120,18 @@ def compile_difference(
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """Functions of one arm.
+    """Compiled functions of one arm.
 
     Joint arrays are float64 of shape (N, n) with layout="states", (n, N) with layout="joints", or
     one state of shape (n,); none is copied.  Results are (N, *shape) or (*shape, N) likewise;
     `out` takes them where it is given.  Each function raises StateError for another shape, and for
     entries that are no finite numbers.
+
+    Attributes
+    ----------
+    arm : SerialArm
+    threads : int
+    path : {"llvm", "numpy"}
     """
 
     arm: SerialArm
@@ -95,25 +147,105 @@ class Kernel:
         layout: Layout = "states",
         out: Array | None = None,
     ) -> Array:
-        """τ = M q̈ + C q̇ + g, shape (N, n) [N m]."""
+        """Inverse dynamics: τ = M q̈ + C q̇ + g.
+
+        Parameters
+        ----------
+        q, qd, qdd : array-like, shape (N, n)
+            [rad], [rad/s], [rad/s²]
+        layout : {"states", "joints"}
+            Order of the axes.
+        out : ndarray, optional
+            Takes the result.
+
+        Returns
+        -------
+        ndarray, shape (N, n)
+            [N m]
+
+        Raises
+        ------
+        StateError
+            For another shape, or entries that are not finite numbers.
+        """
         return self._compute("tau", (self.arm.n,), {"q": q, "qd": qd, "qdd": qdd}, layout, out)
 
     def mass_matrix(
         self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
-        """M(q), shape (N, n, n) [kg m²]."""
+        """The joint-space mass matrix M(q).
+
+        Parameters
+        ----------
+        q : array-like, shape (N, n)
+            [rad]
+        layout : {"states", "joints"}
+            Order of the axes.
+        out : ndarray, optional
+            Takes the result.
+
+        Returns
+        -------
+        ndarray, shape (N, n, n)
+            [kg m²]
+
+        Raises
+        ------
+        StateError
+            For another shape, or entries that are not finite numbers.
+        """
         return self._compute("M", (self.arm.n, self.arm.n), {"q": q}, layout, out)
 
     def coriolis_matrix(
         self, q: ArrayLike, qd: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
-        """C(q, q̇) of Christoffel symbols, shape (N, n, n) [N m s]."""
+        """The matrix C(q, q̇) of Christoffel symbols; C q̇ is the Coriolis and centrifugal torque.
+
+        Parameters
+        ----------
+        q, qd : array-like, shape (N, n)
+            [rad], [rad/s]
+        layout : {"states", "joints"}
+            Order of the axes.
+        out : ndarray, optional
+            Takes the result.
+
+        Returns
+        -------
+        ndarray, shape (N, n, n)
+            [N m s]
+
+        Raises
+        ------
+        StateError
+            For another shape, or entries that are not finite numbers.
+        """
         return self._compute("C", (self.arm.n, self.arm.n), {"q": q, "qd": qd}, layout, out)
 
     def gravity_torque(
         self, q: ArrayLike, *, layout: Layout = "states", out: Array | None = None
     ) -> Array:
-        """g(q), shape (N, n) [N m]."""
+        """The gravity torque g(q).
+
+        Parameters
+        ----------
+        q : array-like, shape (N, n)
+            [rad]
+        layout : {"states", "joints"}
+            Order of the axes.
+        out : ndarray, optional
+            Takes the result.
+
+        Returns
+        -------
+        ndarray, shape (N, n)
+            [N m]
+
+        Raises
+        ------
+        StateError
+            For another shape, or entries that are not finite numbers.
+        """
         return self._compute("g", (self.arm.n,), {"q": q}, layout, out)
 
     def torque_regressor(
@@ -125,7 +257,27 @@ class Kernel:
         layout: Layout = "states",
         out: Array | None = None,
     ) -> Array:
-        """Y(q, q̇, q̈), shape (N, n, 10 n), in the order of `ur5check.torque_regressor`."""
+        """The regressor Y(q, q̇, q̈), with τ = Y π.
+
+        Parameters
+        ----------
+        q, qd, qdd : array-like, shape (N, n)
+            [rad], [rad/s], [rad/s²]
+        layout : {"states", "joints"}
+            Order of the axes.
+        out : ndarray, optional
+            Takes the result.
+
+        Returns
+        -------
+        ndarray, shape (N, n, 10 n)
+            Columns in the order of `SerialArm.parameters`.
+
+        Raises
+        ------
+        StateError
+            For another shape, or entries that are not finite numbers.
+        """
         shape = (self.arm.n, 10 * self.arm.n)
         return self._compute("regressor", shape, {"q": q, "qd": qd, "qdd": qdd}, layout, out)
 
@@ -143,7 +295,14 @@ class Kernel:
 
 @dataclass(frozen=True, eq=False)
 class DifferenceKernel:
-    """The torque difference of two arms; values that both need are computed once."""
+    """The compiled torque difference of two arms; values that both need are computed once.
+
+    Attributes
+    ----------
+    a, b : SerialArm
+    threads : int
+    path : {"llvm", "numpy"}
+    """
 
     a: SerialArm
     b: SerialArm
@@ -159,7 +318,27 @@ class DifferenceKernel:
         layout: Layout = "states",
         out: Array | None = None,
     ) -> Array:
-        """τ_a − τ_b, shape (N, n) [N m]; arrays and errors as in `Kernel`."""
+        """The torque difference τ_a − τ_b.
+
+        Parameters
+        ----------
+        q, qd, qdd : array-like, shape (N, n)
+            [rad], [rad/s], [rad/s²]
+        layout : {"states", "joints"}
+            Order of the axes, see `Kernel`.
+        out : ndarray, optional
+            Takes the result.
+
+        Returns
+        -------
+        ndarray, shape (N, n)
+            [N m]
+
+        Raises
+        ------
+        StateError
+            For another shape, or entries that are not finite numbers.
+        """
         run = _code((self.a, self.b), "difference", self.path)
         arrays = {"q": q, "qd": qd, "qdd": qdd}
         return _shared(run, self.a, self.threads, (self.a.n,), arrays, layout, out)

@@ -17,12 +17,18 @@ __all__ = ["Derivation", "derive"]
 
 @dataclass(frozen=True, eq=False)
 class Derivation:
-    """A program and the operation counts of its derivation.
+    """A closed form and the operation counts of its derivation.
 
-    written : operations of the recursion as written, equal values shared
-    factored : operations with the arm's own numbers, factored
-    program : with inertial parameters regrouped before, where they are numeric
-    seconds : time of the derivation
+    Attributes
+    ----------
+    written : Operations
+        Of the recursion as written, equal values shared.
+    factored : Operations
+        With the arm's own numbers, factored.
+    program : Program
+        With inertial parameters regrouped before, where they are numeric.
+    seconds : float
+        Time of the derivation [s].
     """
 
     written: Operations
@@ -47,7 +53,30 @@ def derive(
 ) -> Derivation:
     """The closed form of a quantity by `trace`, with its operation counts.
 
-    Raises UsageError for an unknown quantity.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    quantity : {"tau", "M", "C", "g", "bias", "regressor"}
+        τ, M, C, g, C q̇ + g or Y.
+    parameters : {"numeric", "symbolic"}
+        The arm's numbers folded in, or as inputs.
+
+    Returns
+    -------
+    Derivation
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or an unknown quantity.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> derivation = ur5check.derive("paper", "g")
+    >>> derivation.written.total > derivation.program.operations.total
+    True
     """
     arm, start = as_arm(arm), perf_counter()
     choice("parameters", parameters, ("numeric", "symbolic"))

@@ -107,15 +107,28 @@ class Operations:
 class Program:
     """One quantity of one arm in closed form.
 
-    arm : the arm's name;  n : its joints
-    quantity : "tau", "M", "C", "g", "bias", "regressor" or "difference"
-    unit : of the outputs
-    shape : of the result at one state
-    inputs : names of the state that are used, of the kinds in STATE
-    parameters : symbols with their values of the arm
-    setup : assignments of parameters alone, computed once per arm
-    assignments : the others, in order, computed once per state
-    outputs : one assignment per entry of the result, row by row
+    Attributes
+    ----------
+    arm : str
+        The arm's name.
+    n : int
+        Number of joints.
+    quantity : str
+        "tau", "M", "C", "g", "bias", "regressor" or "difference".
+    unit : str
+        Of the outputs.
+    shape : tuple of int
+        Of the result at one state.
+    inputs : tuple of str
+        Names of the state that are used: q, its cosine c and sine s, qd, qdd of a joint, "c2".
+    assignments : tuple of Assignment
+        In order; computed once per state.
+    outputs : tuple of Assignment
+        One per entry of the result, row by row.
+    setup : tuple of Assignment
+        Of parameters alone, computed once per arm.
+    parameters : mapping of str to float
+        Symbols with their values of the arm.
     """
 
     arm: str
@@ -152,12 +165,24 @@ class Program:
         qdd: ArrayLike | None = None,
         **parameters: float,
     ) -> NDArray[Any]:
-        """The quantity at each state, shape (..., *shape), line by line with NumPy.
+        """The quantity at each state, line by line with NumPy.
 
-        q, qd, qdd : array-like, shape (..., n) [rad], [rad/s], [rad/s²]; those of `arguments`
-        parameters : other values for some of the symbols
+        Parameters
+        ----------
+        q, qd, qdd : array-like, shape (..., n)
+            [rad], [rad/s], [rad/s²]; those of `arguments`.
+        **parameters : float
+            Other values for some of the symbols.
 
-        Raises StateError for a missing array, a wrong shape or an unknown parameter.
+        Returns
+        -------
+        ndarray, shape (..., *shape)
+            In `unit`.
+
+        Raises
+        ------
+        StateError
+            For a missing array, a wrong shape or an unknown parameter.
         """
         if unknown := parameters.keys() - self.parameters.keys():
             raise StateError(

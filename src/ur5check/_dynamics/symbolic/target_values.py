@@ -6,12 +6,13 @@ long as they are independent on the null space of the regressor Y: as many as it
 remaining parameters follow from  Y E z = Y π,  π' = E z,  where E encodes the target values: zeros
 are exact, and torques are unchanged to rounding.
 
-`base_parameters.decompose` does not serve here: it scales columns by kind and takes the rank at the
-steepest fall of the singular values, for a report.  This module needs the null space of Y unscaled
-and down to rounding, so that torques stay the same; its basis, and with it the last digits of the
-regrouped parameters, would differ.
+`base_parameters.decompose` answers another question.  It takes the rank where the singular values
+fall most, so that an axis tilted by a rounded digit counts as straight: its null space then changes
+the torques of a planar arm, tilted by 1e-9 rad, by 7e-10 of the largest.  Here torques must stay
+the same to rounding (2e-16), so the null space is that of Y unscaled and down to rounding, and a
+target value may also equate two parameters.
 
-References: Khalil & Gautier (1990) on the free parameters.
+References: Gautier & Khalil (1990) on the free parameters.
 """
 
 from __future__ import annotations

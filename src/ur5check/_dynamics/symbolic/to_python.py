@@ -14,12 +14,34 @@ _INDENT = "    "
 
 
 def to_python(program: Program, *, head: Sequence[str] = ()) -> str:
-    """A module with one function, named after the quantity: `tau(q, qd, qdd)`.
+    """A program as Python source: one function, named after the quantity, `tau(q, qd, qdd)`.
 
     Joint arrays are (..., n); leading axes broadcast.  Parameters left as symbols become keyword
     arguments whose defaults are the arm's own numbers.
 
-    head : lines for the top of the file, such as its provenance, written as comments
+    Parameters
+    ----------
+    program : Program
+        See `trace`.
+    head : sequence of str
+        Lines for the top of the file, such as its provenance, written as comments.
+
+    Returns
+    -------
+    str
+        A module that needs only NumPy.
+
+    Raises
+    ------
+    UsageError
+        For another type of program.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> text = ur5check.to_python(ur5check.trace("paper", "g"))
+    >>> "def g(q):" in text
+    True
     """
     instance("program", program, Program, "see ur5check.trace")
     first, *others = description(program)

@@ -44,9 +44,31 @@ def to_sympy(program: Program, *, head: Sequence[str] = ()) -> str:
 
 
 def expressions(program: Program) -> Any:
-    """The expanded closed form: a SymPy Matrix in q1, qd1, qdd1 and parameters alone.
+    """The expanded closed form as a SymPy matrix in q1, qd1, qdd1 and parameters alone.
 
-    For M and g.  The expanded torques of a UR5 are too long: use the replacements of `to_sympy`.
+    For M and g.  The expanded torques of a UR5 are too long: `ur5check derive --to sympy` writes
+    them with replacements.
+
+    Parameters
+    ----------
+    program : Program
+        See `trace`.
+
+    Returns
+    -------
+    sympy.Matrix
+
+    Raises
+    ------
+    UsageError
+        For another type of program.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> g = ur5check.sympy_matrix(ur5check.trace("paper", "g"))
+    >>> g.shape, g[0]
+    ((6, 1), 0)
     """
     instance("program", program, Program, "see ur5check.trace")
     module: dict[str, Any] = {}

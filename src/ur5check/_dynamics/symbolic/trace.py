@@ -50,15 +50,42 @@ def trace(
     regroup: bool = True,
     tries: int | None = None,
 ) -> Program:
-    """The closed form of one quantity.
+    """The closed form of one quantity: the recursion, run once on symbols.
 
-    parameters : "numeric", the arm's numbers folded in, or "symbolic", as inputs (`symbolic_arm`)
-    regroup : whether unidentifiable parameters may be changed; the values stay the same to
-        rounding.  Not for symbols, nor for a regressor, which has no inertias
-    tries : number of regroupings to try beyond the first, 5 ms each for a UR5; None: 100 for
-        arms of up to 8 joints, none for longer ones
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+    quantity : {"tau", "M", "C", "g", "bias", "regressor"}
+        τ, M, C, g, C q̇ + g or Y.
+    parameters : {"numeric", "symbolic"}
+        The arm's numbers folded in, or as inputs.
+    regroup : bool
+        Whether unidentifiable parameters may be changed; the values stay the same to rounding.
+        Not for symbols, nor for a regressor, which has no inertias.
+    tries : int, optional
+        Number of regroupings to try beyond the first, 5 ms each for a UR5; when None, 100 for
+        arms of up to 8 joints, none for longer ones.
 
-    Raises UsageError for an unknown quantity.
+    Returns
+    -------
+    Program
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, an unknown quantity, or another invalid argument.
+
+    References
+    ----------
+    Khalil & Kleinfinger 1987; Hosangadi, Fallah & Kastner 2006.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> program = ur5check.trace("paper", "g")
+    >>> program.evaluate([0.0] * 6).shape
+    (6,)
     """
     arm, recipe = as_arm(arm), _recipe(quantity)
     choice("parameters", parameters, ("numeric", "symbolic"))

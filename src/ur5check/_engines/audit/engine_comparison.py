@@ -43,7 +43,12 @@ SAMPLES = 200
 class Stage:
     """All engines with one text each: as read, or repaired.
 
-    readings : one per engine, the reference first;  matrix : of those that read the model
+    Attributes
+    ----------
+    readings : tuple of Reading
+        One per engine, the reference first.
+    matrix : AgreementMatrix
+        Of those that read the model.
     """
 
     readings: tuple[Reading, ...]
@@ -62,11 +67,30 @@ class Stage:
         )
 
     def agrees(self, limit: float = SAME_ROBOT) -> bool:
-        """Whether every engine read the model and no torque of any pair differs by more [N m]."""
+        """Whether every engine read the model and no torque of any pair differs by more.
+
+        Parameters
+        ----------
+        limit : float
+            [N m]
+
+        Returns
+        -------
+        bool
+        """
         return not self.refusals and self.matrix.worst <= limit
 
     def reading(self, key: str) -> Reading:
-        """That of one engine."""
+        """The reading of one engine.
+
+        Parameters
+        ----------
+        key : str
+
+        Returns
+        -------
+        Reading
+        """
         return next(reading for reading in self.readings if reading.key == key)
 
 
@@ -74,13 +98,21 @@ class Stage:
 class EngineReport(Result):
     """The result of `compare_engines`.
 
-    arm : the arm, or the whole robot
-    gravity : used by all engines, in the base frame [m/s²]
-    states : `samples` drawn from `seed`; for an arm then the worst state of each engine that
-        imported another arm
-    as_read : every engine with the model as it is
-    repaired : with the repairs for its known issues; None where none was needed
-    absent : keys of engines that are not installed
+    Attributes
+    ----------
+    arm : SerialArm or RobotTree
+    gravity : ndarray, shape (3,)
+        Used by all engines, in the base frame [m/s²].
+    states : States
+        `samples` drawn from `seed`; for an arm then the worst state of each engine that imported
+        another arm.
+    samples, seed : int
+    as_read : Stage
+        Every engine with the model as it is.
+    repaired : Stage or None
+        With the repairs for its known issues; None where none was needed.
+    absent : tuple of str
+        Keys of engines that are not installed.
     """
 
     arm: ArmOrTree
@@ -108,7 +140,13 @@ class EngineReport(Result):
         return self.as_read if self.repaired is None else self.repaired
 
     def stages(self) -> list[tuple[Literal["as read", "repaired"], Stage]]:
-        """The stages with their names."""
+        """The stages with their names.
+
+        Returns
+        -------
+        list of (str, Stage)
+            "as read", then "repaired" where there is one.
+        """
         both: list[tuple[Literal["as read", "repaired"], Stage]] = [("as read", self.as_read)]
         return both if self.repaired is None else [*both, ("repaired", self.repaired)]
 
@@ -140,20 +178,41 @@ def compare_engines(
 
     Parameters
     ----------
-    model : a shipped model's name, a path, a `pin.Model` or a `SerialArm` (see `load`); a `Robot`
-        or a `RobotTree`, which is compared whole, as is a file with several chains
-    whole : whether a file with one arm is compared whole too, with what is beside the arm
-    engines : their keys (`ur5check engines` lists them); all that are installed when None.  The
-        hand-written recursion always takes part
-    samples, seed : number of random states, and the seed (see `random_states`)
-    gravity : for all engines, in the base frame, shape (3,) [m/s²]; the model's own when None
-    repairs : whether engines that imported another arm read it again with their repairs
-    progress : called with a line before each longer step
+    model : name, path, pin.Model, SerialArm, Robot or RobotTree
+        See `load`.  A Robot or RobotTree is compared whole, as is a file with several chains.
+    whole : bool
+        Whether a file with one arm is compared whole too, with what is beside the arm.
+    engines : sequence of str, optional
+        Keys (`ur5check engines` lists them); all that are installed when None.  The hand-written
+        recursion always takes part.
+    samples : int
+        Number of random states, at least 1.
+    seed : int
+        Of the states, not negative (see `random_states`).
+    gravity : array-like, shape (3,), optional
+        For all engines, in the base frame [m/s²]; the model's own when None.
+    repairs : bool
+        Whether engines that imported another arm read it again with their repairs.
+    progress : callable, optional
+        Called with a line before each longer step.
+
+    Returns
+    -------
+    EngineReport
 
     Raises
     ------
-    InputError : a model that cannot be read; a name that is no engine's.
-    EngineError : an engine that was named and is not installed.
+    InputError
+        For a model that cannot be read, a name that is no engine's, or another invalid argument.
+    EngineError
+        For an engine that was named and is not installed.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> report = ur5check.compare_engines("appendix", engines=["pinocchio"], samples=10)
+    >>> report.as_read.agrees()
+    True
     """
     say = callback("progress", progress)
     arm = load_arm_or_tree(model, whole=whole)

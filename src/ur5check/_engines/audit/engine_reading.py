@@ -22,9 +22,20 @@ __all__ = ["Reading", "read_by", "with_answers"]
 class Reading:
     """The result of loading an arm into an engine.
 
-    engine : with the arm loaded;  imported : the audit of its import against the arm as written
-    answers : its answers;  explanation : whether they are those of the imported arm
-    refused : the engine's reason for refusing the arm; all else is None then
+    Attributes
+    ----------
+    key : str
+        The engine's key.
+    engine : Engine or None
+        With the arm loaded; None where it refused the arm, and so are the next three.
+    imported : ImportAudit or None
+        The audit of its import against the arm as written.
+    answers : Answers or None
+        Its torques, accelerations and matrices at the states.
+    explanation : ImportExplanation or None
+        Whether the answers are those of the imported arm.
+    refused : str or None
+        The engine's reason for refusing the arm.
     """
 
     key: str

@@ -19,9 +19,16 @@ FLEET_SAMPLES = 20
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FleetReport(Result):
-    """One report per arm; samples, seed : of each of them.
+    """Engine agreement for several arms.
 
     An arm that an engine refuses counts as refused, never as agreement.
+
+    Attributes
+    ----------
+    reports : tuple of EngineReport
+        One per arm.
+    samples, seed : int
+        Of each of them.
     """
 
     reports: tuple[EngineReport, ...]
@@ -29,27 +36,94 @@ class FleetReport(Result):
     seed: int
 
     def worst(self, *, as_read: bool) -> float:
-        """The largest |Δτ| of any two engines on any arm [N m]."""
+        """The largest |Δτ| of any two engines on any arm.
+
+        Parameters
+        ----------
+        as_read : bool
+            Whether with the files as they are, or repaired where there are repairs.
+
+        Returns
+        -------
+        float
+            [N m]
+        """
         return max(stage.matrix.worst for stage in self.stages(as_read=as_read))
 
     def stages(self, *, as_read: bool) -> tuple[Stage, ...]:
-        """One stage per arm: as read, or repaired where there are repairs."""
+        """One stage per arm.
+
+        Parameters
+        ----------
+        as_read : bool
+            Whether with the files as they are, or repaired where there are repairs.
+
+        Returns
+        -------
+        tuple of Stage
+        """
         return tuple(report.as_read if as_read else report.final for report in self.reports)
 
     def agreeing(self, limit: float, *, as_read: bool) -> int:
-        """Number of arms that every engine reads and on which all agree within `limit` [N m]."""
+        """Number of arms that every engine reads and on which all agree.
+
+        Parameters
+        ----------
+        limit : float
+            [N m]
+        as_read : bool
+            Whether with the files as they are, or repaired where there are repairs.
+
+        Returns
+        -------
+        int
+        """
         return sum(stage.agrees(limit) for stage in self.stages(as_read=as_read))
 
     def differing(self, limit: float, *, as_read: bool) -> int:
-        """Number of arms on which two engines differ by more than `limit` [N m]."""
+        """Number of arms on which two engines differ.
+
+        Parameters
+        ----------
+        limit : float
+            [N m]
+        as_read : bool
+            Whether with the files as they are, or repaired where there are repairs.
+
+        Returns
+        -------
+        int
+        """
         return sum(stage.matrix.worst > limit for stage in self.stages(as_read=as_read))
 
     def refused(self, *, as_read: bool) -> int:
-        """Number of arms that at least one engine refuses."""
+        """Number of arms that at least one engine refuses.
+
+        Parameters
+        ----------
+        as_read : bool
+            Whether with the files as they are, or repaired where there are repairs.
+
+        Returns
+        -------
+        int
+        """
         return sum(bool(stage.refusals) for stage in self.stages(as_read=as_read))
 
     def agrees(self, limit: float, *, as_read: bool) -> bool:
-        """Whether every engine reads every arm and all agree within `limit` [N m]."""
+        """Whether every engine reads every arm and all agree.
+
+        Parameters
+        ----------
+        limit : float
+            [N m]
+        as_read : bool
+            Whether with the files as they are, or repaired where there are repairs.
+
+        Returns
+        -------
+        bool
+        """
         return self.agreeing(limit, as_read=as_read) == len(self.reports)
 
 
@@ -62,7 +136,42 @@ def compare_fleet(
     arms: Sequence[FleetArm] | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> FleetReport:
-    """`compare_engines` on every arm of a fleet, `FLEET` when None.  Raises as that does."""
+    """Engine agreement for every arm of a fleet: `compare_engines`, arm by arm.
+
+    Parameters
+    ----------
+    engines : sequence of str, optional
+        Keys; all that are installed when None.
+    samples : int
+        Number of random states for each arm, at least 1.
+    seed : int
+        Of the states, not negative.
+    repairs : bool
+        Whether engines that imported another arm read it again with their repairs.
+    arms : sequence of FleetArm, optional
+        `EXAMPLE_ROBOTS` when None.
+    progress : callable, optional
+        Called with a line before each arm.
+
+    Returns
+    -------
+    FleetReport
+
+    Raises
+    ------
+    InputError
+        For an invalid argument, or an arm that cannot be read.
+    EngineError
+        For an engine that was named and is not installed.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5 = [arm for arm in ur5check.EXAMPLE_ROBOTS if arm.name == "ur5"]
+    >>> fleet = ur5check.compare_fleet(engines=["pinocchio"], arms=ur5, samples=5)
+    >>> fleet.refused(as_read=True)
+    0
+    """
     say = callback("progress", progress)
     arms = FLEET if arms is None else _entries(arms)
     reports = []

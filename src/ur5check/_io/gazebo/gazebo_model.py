@@ -62,7 +62,7 @@ def gazebo_model(arm: SerialArm, *, package: str, packages: PackageMap, file: st
 
     Raises ModelError for a moving link without mass.
     """
-    assert arm.source.urdf is not None  # noqa: S101 - the caller's duty, not the user's
+    assert arm.source.urdf is not None  # noqa: S101 - the caller's error, not the user's
     root = parsed_xml(arm.source.urdf)
     description, _ = description_of_arm(arm, file)
     chain = description.chain(arm.source.base, arm.source.tip)

@@ -1,4 +1,4 @@
-"""Where joints may turn: half a turn either way when limited, and where a simulation starts them.
+"""The range of limited joints, half a turn either way, and their start in a simulation.
 
 The paper's launch file has an argument `limited` for a model whose joints stay within [−π, π].  Its
 test 9 has a joint at 3.5 rad, outside.  One turn less is the same posture, which both models hold.

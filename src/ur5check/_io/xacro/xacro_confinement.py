@@ -1,4 +1,4 @@
-"""What a stranger's xacro file may not do while it is expanded.
+"""What a xacro file from an untrusted source may not do while it is expanded.
 
 xacro's `${…}` is Python, and its own filter looks at the outermost names only: attributes inside a
 lambda pass it, and `xacro.load_yaml` reads any file.  So xacro runs in a process of its own
@@ -26,7 +26,7 @@ from ..._errors import ModelError
 
 __all__ = ["check_expression", "limit_resources", "raise_fence"]
 
-# Names without double underscores that lead to other people's frames, code and attributes.
+# Names without double underscores that lead to frames, code and attributes of other modules.
 _WAYS_OUT = frozenset(
     {
         "vars",
@@ -81,7 +81,7 @@ def raise_fence(folders: Sequence[str], stop: Callable[[str], Any]) -> None:
         return (real_path(decode(path)) + os.sep).startswith(allowed)
 
     def refuse(tried: str) -> None:
-        # `stop` can be reached, and so replaced, by code that got this far; this function cannot.
+        # `stop` can be reached, and so replaced, by code that got this far; this one cannot.
         try:
             stop(tried)
         finally:

@@ -1,7 +1,7 @@
 """The process in which xacro runs: a request on stdin, an answer on stdout.
 
 Started by `xacro_file.expand_xacro` and by nothing else: it changes xacro's own functions and
-raises a fence that stays up until the process ends.  It loads no NumPy, so that it starts quickly.
+confines the process until it ends.  It loads no NumPy, so that it starts quickly.
 
 stdout is a file.  Its first bytes (`note_bytes` of them) say what is being evaluated right now, so
 that the parent, if it ends this process, knows which expression did not end; the answer follows.
@@ -101,7 +101,7 @@ class Worker:
         self.origins = Origins()
         self.said = io.StringIO()  # what xacro prints: its warnings
         self.snippet = ""  # the text that is being evaluated, as the file has it
-        self.error_files: list[str] = []  # of an error that was found earlier
+        self.error_files: list[str] = []  # of an error that was found before
 
     def expand(self) -> dict[str, Any]:
         """The answer."""
@@ -246,7 +246,7 @@ class Worker:
             os.pwrite(1, note.ljust(self.note_bytes), 0)
 
     def answer(self, answer: dict[str, Any]) -> NoReturn:
-        """Write the answer and end, at once: nothing that was left behind runs any more."""
+        """Write the answer and end, at once: nothing that the file defined runs any more."""
         data = json.dumps(answer).encode()
         if len(data) > self.output_bytes:
             data = json.dumps(self._too_large()).encode()
@@ -257,7 +257,7 @@ class Worker:
         os._exit(0)
 
     def stop(self, tried: str) -> NoReturn:
-        """End because the fence was touched."""
+        """End because the file tried what it may not do."""
         self.answer(
             self._error(
                 f"the file tried to {tried[:200]}",

@@ -41,13 +41,13 @@ _START = (
 
 @dataclass(frozen=True)
 class Expansion:
-    """What came of a xacro file.
+    """The result of expanding a xacro file.
 
     text : the URDF
     inputs : (name, SHA-256) of every file that was read, the robot file first; a file in a package
         is named by its package:// URI, which is the same on every machine
     places : where its elements were written
-    warnings : what xacro remarked
+    warnings : those of xacro
     """
 
     text: str
@@ -89,7 +89,7 @@ def expand_xacro(
         "arguments": dict(arguments),
         "packages": {name: [str(f) for f in fs] for name, fs in packages.folders.items()},
         "folders": folders,
-        "seconds": math.ceil(seconds) + 1,  # of processor time: the wall clock shall strike first
+        "seconds": math.ceil(seconds) + 1,  # of processor time: wall-clock time ends it first
         "memory_bytes": _MEMORY_BYTES,
         "note_bytes": _NOTE_BYTES,
         "output_bytes": _OUTPUT_BYTES,
@@ -112,14 +112,14 @@ def expand_xacro(
             tuple(map(str, answer["warnings"])),
         )
     except (ValueError, TypeError, LookupError):
-        # Only an expression that got hold of the process could make this happen.
+        # Only an expression that escaped the confinement can cause this.
         raise _ended_error(
             _EndedError("the expansion ended without a result", data), shown
         ) from None
 
 
 class _EndedError(Exception):
-    """The worker came to no answer; what it wrote so far is kept."""
+    """The worker gave no answer; what it wrote so far is kept."""
 
     def __init__(self, problem: str, output: bytes) -> None:
         super().__init__(problem)
@@ -130,7 +130,7 @@ class _EndedError(Exception):
 def _run_worker(request: bytes, folder: Path, seconds: float) -> bytes:
     """All that the worker wrote to its stdout: a file, whose size the system bounds."""
     # Isolated (-I) and without site (-S): the worker finds modules where this process does, and
-    # nowhere else.  A relative entry would mean the robot's own folder there: a stranger's modules.
+    # nowhere else.  A relative entry would mean the robot's own folder there, which is not trusted.
     home = Path(__file__).resolve().parents[3]
     places = [str(Path(entry).absolute()) for entry in sys.path if entry]
     command = [sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, *places, str(home)]

@@ -1,4 +1,4 @@
-"""A text made from checked XML for somebody else's parser, and the way back to the file's lines."""
+"""A text written from checked XML for another parser, and the map back to the file's lines."""
 
 from __future__ import annotations
 

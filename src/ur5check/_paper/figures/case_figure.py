@@ -24,9 +24,30 @@ _LEFT = 0.09
 
 
 def draw_case(r: Reproduction, number: int) -> Figure:
-    """The picture of one case, 1 … 9.
+    """Draw the torque of one of the paper's cases, for every model.
 
-    Raises UsageError where matplotlib is absent.
+    Parameters
+    ----------
+    r : Reproduction
+        From `reproduce`.
+    number : int
+        Of the case, 1 … 9.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    UsageError
+        For another type or number, or where matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> figure = ur5check.draw_case(ur5check.reproduce(), 2)
+    >>> figure.axes[0].get_ylabel()
+    'torque of joint 2 [N m]'
     """
     instance("r", r, Reproduction, "see ur5check.reproduce")
     paper_case(number)

@@ -18,9 +18,27 @@ __all__ = ["draw_overview"]
 
 
 def draw_overview(r: Reproduction) -> Figure:
-    """Every case, with its claim above it.
+    """Draw all nine cases of the paper on one sheet, each with its claim above it.
 
-    Raises UsageError where matplotlib is absent.
+    Parameters
+    ----------
+    r : Reproduction
+        From `reproduce`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    UsageError
+        For another type, or where matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> len(ur5check.draw_overview(ur5check.reproduce()).axes)
+    9
     """
     instance("r", r, Reproduction, "see ur5check.reproduce")
     figure = new_figure(9.6, 8.0)

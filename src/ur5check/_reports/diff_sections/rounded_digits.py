@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..._comparison.explanation import Explanation
 from ..._comparison.rounding.error_budget import BudgetItem
 from ..document import Column, Row, Section, Table
+from ..rounding_sentences import cause_in_words, places_in_words
 from ..wording import figures, residue
 
 __all__ = ["digits_section"]
@@ -45,9 +46,9 @@ def digits_section(e: Explanation) -> Section:
 def _row(item: BudgetItem, name: str) -> Row:
     return Row(
         (
-            item.cause,
+            cause_in_words(item),
             name,
-            item.where,
+            places_in_words(item),
             "recomputed" if item.exact else "bound",
             residue(float(item.rms.max())),
             residue(float(item.maximum.max())),

@@ -6,7 +6,7 @@ from ..._comparison.explanation import Explanation
 from ..._comparison.identifiability.identifiability import Identifiability, Label
 from ..._robot.inertia import PARAMETERS
 from ..document import Column, Row, Section, Table
-from ..explanation_summary import equivalence_in_words
+from ..explanation_summary import doubt_in_words, equivalence_in_words
 from ..wording import MISSING, figures, residue
 
 __all__ = ["unseen_section"]
@@ -23,7 +23,7 @@ def unseen_section(e: Explanation, *, written_out: bool) -> Section:
     if seen.certain:
         certain = f"with certainty: the singular values have a gap of {seen.gap:.0e}"
     else:
-        certain = f"without certainty: {seen.doubt}"
+        certain = f"without certainty: {doubt_in_words(seen)}"
     lines = (
         f"Joint torques determine {seen.rank} combinations of {e.difference.pair.a.label}'s "
         f"{seen.columns} inertial parameters, {certain}.",

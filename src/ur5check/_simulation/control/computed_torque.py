@@ -25,15 +25,34 @@ __all__ = ["ComputedTorque", "effort_limits"]
 
 @dataclass(frozen=True, eq=False)
 class ComputedTorque:
-    """The controller.
-
-    model : an engine that holds the controller's model
-    gains : K_p, K_i, K_d
-    law : form of the feedback
-    limits : largest absolute torque of each joint, shape (n,) [N m]; None: no limits
+    """Computed torque control: inverse dynamics of a commanded acceleration (paper, eq. 17).
 
     Each joint's torque is clipped to its limit.  The integral is not (no anti-windup): limits that
     act for long cause overshoot.
+
+    Parameters
+    ----------
+    model : Engine
+        Holds the controller's model, see `make_engine`.
+    gains : Gains
+        K_p, K_i, K_d.
+    law : FeedbackLaw
+        Form of the feedback.
+    limits : array-like, shape (n,), optional
+        Largest absolute torque of each joint [N m]; no limits when None.
+
+    Raises
+    ------
+    InputError
+        For other types, or limits of another shape.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> engine = ur5check.make_engine("pinocchio", "appendix")
+    >>> gains = ur5check.Gains.placed(6, (-8.0, -10.0, -12.0))
+    >>> ur5check.ComputedTorque(engine, gains).law.feeds_forward
+    True
     """
 
     model: Engine
@@ -52,23 +71,72 @@ class ComputedTorque:
             object.__setattr__(self, "limits", frozen(self.limits, (self.gains.n,), "limits"))
 
     def acceleration(self, wanted: Reference, q: Array, qd: Array, integral: Array) -> Array:
-        """K, shape (n,) [rad/s²]; `integral` is ∫e dt [rad s]."""
+        """The commanded acceleration K (paper, eqs 22–28).
+
+        Parameters
+        ----------
+        wanted : Reference
+            θ_d, θ̇_d and θ̈_d, each of shape (n,).
+        q, qd : ndarray, shape (n,)
+            Measured [rad], [rad/s].
+        integral : ndarray, shape (n,)
+            ∫e dt [rad s].
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            [rad/s²]
+        """
         e, ed = wanted.q - q, wanted.qd - qd
         feedback = self.gains.kp @ e + self.gains.ki @ integral + self.gains.kd @ ed
         ahead = wanted.qdd if self.law.feeds_forward else np.zeros_like(e)
         return np.asarray(ahead + self.law.sign * feedback)
 
     def torque(self, wanted: Reference, q: Array, qd: Array, integral: Array) -> Array:
-        """τ, shape (n,) [N m], within the limits."""
+        """The torque that the controller commands, within the limits.
+
+        Parameters
+        ----------
+        wanted : Reference
+            θ_d, θ̇_d and θ̈_d, each of shape (n,).
+        q, qd : ndarray, shape (n,)
+            Measured [rad], [rad/s].
+        integral : ndarray, shape (n,)
+            ∫e dt [rad s].
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            [N m]
+        """
         K = self.acceleration(wanted, q, qd, integral)
         tau = self.model.inverse_dynamics(q, qd, K)
         return tau if self.limits is None else np.clip(tau, -self.limits, self.limits)
 
 
 def effort_limits(arm: ArmSource) -> Array:
-    """The effort limits of the joints, shape (n,) [N m].
+    """The effort limits of all joints of an arm.
 
-    Raises UsageError if a joint has none.
+    Parameters
+    ----------
+    arm : name, path, pin.Model or SerialArm
+        See `load`.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        [N m]; [N] for a prismatic joint.
+
+    Raises
+    ------
+    InputError
+        For an arm that cannot be read, or a joint without an effort limit.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> ur5check.effort_limits("appendix").tolist()
+    [150.0, 150.0, 150.0, 28.0, 28.0, 28.0]
     """
     arm = as_arm(arm)
     limits = [joint.limits.known_effort for joint in arm.joints]

@@ -41,7 +41,34 @@ def companion_matrix(gains: Gains, law: FeedbackLaw = FeedbackLaw.RIGHT) -> Arra
 
 
 def poles(gains: Gains, law: FeedbackLaw = FeedbackLaw.RIGHT) -> NDArray[np.complex128]:
-    """Eigenvalues of the error dynamics [1/s], complex, the least damped first."""
+    """Poles of the error dynamics, where model and plant are the same.
+
+    Parameters
+    ----------
+    gains : Gains
+    law : FeedbackLaw
+
+    Returns
+    -------
+    ndarray of complex, shape (3 n,)
+        Eigenvalues [1/s], the least damped first; shape (2 n,) without K_i.
+
+    Raises
+    ------
+    UsageError
+        For other types.
+
+    References
+    ----------
+    Siciliano et al. 2009, ch. 8 and app. C.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> gains = ur5check.Gains.placed(1, (-8.0, -10.0, -12.0))
+    >>> ur5check.poles(gains).real.round(6).tolist()
+    [-8.0, -10.0, -12.0]
+    """
     instance("gains", gains, Gains, "see ur5check.Gains")
     instance("law", law, FeedbackLaw, "see ur5check.FeedbackLaw")
     values = np.linalg.eigvals(companion_matrix(gains, law)).astype(np.complex128)

@@ -15,7 +15,14 @@ __all__ = ["FeedbackLaw"]
 
 
 class FeedbackLaw(Enum):
-    """Form of the feedback; the value is its name in reports."""
+    """Form of the feedback; the value is its name in reports.
+
+    Examples
+    --------
+    >>> from ur5check import FeedbackLaw
+    >>> FeedbackLaw("eqs (22), (23) as printed").sign
+    -1.0
+    """
 
     RIGHT = "as it must be"
     PRINTED_22 = "eqs (22), (23) as printed"
@@ -23,7 +30,7 @@ class FeedbackLaw(Enum):
 
     @property
     def sign(self) -> float:
-        """Of the feedback: +1 reduces an error, −1 increases it."""
+        """Sign of the feedback: +1 reduces an error, −1 increases it."""
         return -1.0 if self is FeedbackLaw.PRINTED_22 else 1.0
 
     @property

@@ -15,9 +15,24 @@ __all__ = ["Gains"]
 
 @dataclass(frozen=True, eq=False)
 class Gains:
-    """K_p [1/s²], K_i [1/s³] and K_d [1/s], each of shape (n, n): row i is joint i's acceleration.
+    """Feedback gains as full matrices: row i is joint i's acceleration (paper, eqs 24–26).
 
-    Raises UsageError for matrices that are not square, not of one size, or not finite.
+    Parameters
+    ----------
+    kp, ki, kd : array-like, shape (n, n)
+        K_p [1/s²], K_i [1/s³] and K_d [1/s].
+
+    Raises
+    ------
+    UsageError
+        For matrices that are not square, not of one size, or not finite.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from ur5check import Gains
+    >>> Gains(100.0 * np.eye(6), np.zeros((6, 6)), 20.0 * np.eye(6)).n
+    6
     """
 
     kp: Array
@@ -45,9 +60,23 @@ class Gains:
 
     @classmethod
     def placed(cls, n: int, poles: tuple[float, float, float]) -> Gains:
-        """The same three poles [1/s] for every joint's error: (s − p₁)(s − p₂)(s − p₃).
+        """The same three poles for every joint's error: (s − p₁)(s − p₂)(s − p₃).
 
-        Raises UsageError for poles that are not negative.
+        Parameters
+        ----------
+        n : int
+            Number of joints.
+        poles : tuple of float, length 3
+            Negative [1/s].
+
+        Returns
+        -------
+        Gains
+
+        Raises
+        ------
+        UsageError
+            For poles that are not negative.
         """
         if max(poles) >= 0.0:
             raise UsageError(f"poles must be negative, not {', '.join(f'{p:g}' for p in poles)}")

@@ -30,10 +30,22 @@ LOST = float(np.pi)
 class Tracking:
     """Result of following a trajectory at K instants with n joints.
 
-    t : shape (K,) [s];  wanted, q : [rad], qd : [rad/s], tau : [N m], each of shape (K, n)
-    work : ∫ |τ_i q̇_i| dt of each joint, shape (K, n) [J]: without energy recovery
-    at_limit : whether a joint's torque was at its limit, shape (K, n)
-    lost : whether it ended early because an error reached LOST
+    Attributes
+    ----------
+    t : ndarray, shape (K,)
+        [s]
+    wanted, q : ndarray, shape (K, n)
+        Desired and actual positions [rad].
+    qd : ndarray, shape (K, n)
+        [rad/s]
+    tau : ndarray, shape (K, n)
+        [N m]
+    work : ndarray, shape (K, n)
+        ∫ |τ_i q̇_i| dt of each joint [J]: without energy recovery.
+    at_limit : ndarray of bool, shape (K, n)
+        Whether a joint's torque was at its limit.
+    lost : bool
+        Whether it ended early because an error reached π rad.
     """
 
     t: Array
@@ -47,27 +59,56 @@ class Tracking:
 
     @property
     def error(self) -> Array:
-        """θ_d − θ, shape (K, n) [rad]."""
+        """Tracking error θ_d − θ, shape (K, n) [rad]."""
         return np.asarray(self.wanted - self.q)
 
     def rms(self) -> Array:
-        """Root mean square error of each joint over time, shape (n,) [rad]."""
+        """Root mean square error of each joint over time.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            [rad]
+        """
         return np.sqrt(self._mean(self.error**2))
 
     def largest(self) -> Array:
-        """Largest error of each joint, shape (n,) [rad]."""
+        """Largest error of each joint.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            [rad]
+        """
         return np.asarray(np.abs(self.error).max(axis=0))
 
     def torque_peak(self) -> Array:
-        """Of each joint, shape (n,) [N m]."""
+        """Largest absolute torque of each joint.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            [N m]
+        """
         return np.asarray(np.abs(self.tau).max(axis=0))
 
     def energy(self) -> float:
-        """Of all motors [J]."""
+        """Work of all motors, without energy recovery.
+
+        Returns
+        -------
+        float
+            [J]
+        """
         return float(self.work[-1].sum())
 
     def time_at_limit(self) -> Array:
-        """Share of the time that each joint's torque was at its limit, shape (n,)."""
+        """Share of the time that each joint's torque was at its limit.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+        """
         return self._mean(self.at_limit.astype(np.float64))
 
     def _mean(self, values: Array) -> Array:
@@ -89,12 +130,41 @@ def track(
 ) -> Tracking:
     """Let `controller` drive `plant` along `trajectory`.
 
-    q : initial position of the plant, shape (n,) [rad]; by default on the trajectory.  Its initial
-        velocity is the reference's
-    seconds : simulated time; by default the trajectory's duration
-    instants : number of evenly spaced instants in the result
+    Parameters
+    ----------
+    controller : ComputedTorque
+    plant : Engine
+        Holds the simulated arm, in the joint coordinates of the controller's model.
+    trajectory : Quintic
+        Or another object with `n`, `duration` and `at`.
+    q : array-like, shape (n,), optional
+        Initial position of the plant [rad]; on the trajectory when None.  Its initial velocity is
+        the reference's.
+    seconds : float, optional
+        Simulated time [s]; the trajectory's duration when None.
+    instants : int
+        Number of evenly spaced instants in the result, at least 2.
+    precision : Precision
+        Tolerances of the integrator.
 
-    Raises UsageError if the numbers of joints of arms, gains and trajectory differ.
+    Returns
+    -------
+    Tracking
+
+    Raises
+    ------
+    InputError
+        For invalid arguments, or different numbers of joints of arms, gains and trajectory.
+
+    Examples
+    --------
+    >>> import ur5check
+    >>> engine = ur5check.make_engine("ur5check", "appendix")
+    >>> gains = ur5check.Gains.placed(6, (-8.0, -10.0, -12.0))
+    >>> motion = ur5check.Quintic([0.0] * 6, [0.1] * 6, 0.5)
+    >>> result = ur5check.track(ur5check.ComputedTorque(engine, gains), engine, motion, instants=6)
+    >>> bool(result.largest().max() < 1e-6)
+    True
     """
     instance("controller", controller, ComputedTorque, "see ur5check.ComputedTorque")
     if not isinstance(plant, Engine) or not isinstance(trajectory, Trajectory):

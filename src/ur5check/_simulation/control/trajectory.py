@@ -45,14 +45,31 @@ class Trajectory(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Quintic:
-    """From rest to rest with continuous acceleration: q = start + s(t/T) (goal − start).
+    """A motion from rest to rest with continuous acceleration: q = start + s(t/T) (goal − start).
 
-    s(x) = 10 x³ − 15 x⁴ + 6 x⁵ has s′ = s″ = 0 at both ends (Siciliano et al. 2009, §4.2.1).
+    s(x) = 10 x³ − 15 x⁴ + 6 x⁵ has s′ = s″ = 0 at both ends.
 
-    start, goal : shape (n,) [rad];  duration : T [s]
+    Parameters
+    ----------
+    start, goal : array-like, shape (n,)
+        [rad]; [m] for a prismatic joint.
+    duration : float
+        T [s], positive.
 
-    Raises UsageError for ends of different lengths, numbers that are not finite, or a T that is not
-    positive.
+    Raises
+    ------
+    UsageError
+        For ends of different lengths, numbers that are not finite, or a T that is not positive.
+
+    References
+    ----------
+    Siciliano et al. 2009, §4.2.1.
+
+    Examples
+    --------
+    >>> from ur5check import Quintic
+    >>> Quintic([0.0], [1.0], 2.0).at(1.0).q.tolist()
+    [0.5]
     """
 
     start: Array
@@ -79,7 +96,18 @@ class Quintic:
         return len(self.start)
 
     def at(self, t: ArrayLike) -> Reference:
-        """See `Trajectory`."""
+        """Desired position, velocity and acceleration; at rest before 0 and after T.
+
+        Parameters
+        ----------
+        t : array-like, shape (...)
+            [s]
+
+        Returns
+        -------
+        Reference
+            q [rad], qd [rad/s] and qdd [rad/s²], each of shape (..., n).
+        """
         x = np.clip(np.asarray(t, dtype=np.float64)[..., None] / self.duration, 0.0, 1.0)
         way, T = self.goal - self.start, self.duration
         s = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
