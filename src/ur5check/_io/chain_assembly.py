@@ -90,7 +90,7 @@ def assemble(description: Description, chain: Chain, *, strict: bool = True) -> 
 
 def _brackets(description: Description, chain: Chain) -> tuple[Transform, list[Transform]]:
     """B, and P_1 … P_n."""
-    moving = frozenset(edge.joint for edge in chain.moving)
+    moving = chain.moving_joints
     gathered = Transform.identity()
     for edge in chain.climbed:
         gathered = gathered @ description.held_pose(edge, moving).inverse()
@@ -124,7 +124,7 @@ def _moving_link(
 ) -> Link:
     """The link that `edge` moves with all that moves with it, in the frame at its tip frame."""
     name = edge.child
-    moving = frozenset(other.joint for other in chain.moving)
+    moving = chain.moving_joints
     edges = description.tree.rigid_group(name, chain)
     poses = rigid_poses(description, name, edges, moving)
     parts, welded, has_extent = [], [], False

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NoReturn
 
 from ..._errors import ModelError
@@ -44,9 +45,13 @@ class Chain:
     descended: tuple[Edge, ...]
     notes: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def moving(self) -> tuple[Edge, ...]:
         return tuple(edge for edge in self.descended if edge.moves)
+
+    @cached_property
+    def moving_joints(self) -> frozenset[str]:
+        return frozenset(edge.joint for edge in self.moving)
 
 
 class Tree:
@@ -90,7 +95,7 @@ class Tree:
 
         They stop at the chain's own moving joints; joints beside the chain are held still.
         """
-        own = {edge.joint for edge in chain.moving}
+        own = chain.moving_joints
         reached, edges = [link], []
         for end in reached:  # grows while we walk it: breadth first
             found = [edge for edge in self.below[end] if edge.joint not in own]
