@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from ..._finding import Finding, Place, worst_first
 from ..._robot.robot_tree import ArmOrTree
 from ..._rules.engine_rules import RULES
+from ..._rules.finding_log import finding_of
 from ..engine_urdf import parsed
 from .engine_reading import Reading
 from .import_audit import ImportAudit
@@ -68,20 +70,19 @@ def _of_alike(
     numeric = one.value is not None or one.bound is not None
     what = one.kind.replace("-", " ")
     at = f" at {one.where}" if len(alike) > 1 else ""
-    return Finding(
+    found = finding_of(
         rule.id,
-        rule.severity,
         f"{len(alike)} joints" if len(alike) > 1 else one.where or "the whole model",
         f"{what}: {reading.title} {reading.version} imports {one.imported}, the file has "
         f"{one.written}{at}",
-        tuple(places.get(each.where, places[""]) for each in alike),
+        *(places.get(each.where, places[""]) for each in alike),
         value=one.value if numeric else one.imported,
         bound=one.bound if numeric else one.written,
         unit=one.unit,
-        consequence=rule.consequence if issue is None else issue.explanation,
-        fix=rule.fix if issue is None else issue.fix,
+        fix="" if issue is None else issue.fix,
         effect=one.torque_effect,
     )
+    return found if issue is None else replace(found, consequence=issue.explanation)
 
 
 def _places(arm: ArmOrTree) -> dict[str, Place]:
