@@ -45,7 +45,7 @@ def read_urdf(
     holds a joint that is not one angle or one length of its own.
     """
     text = checked_xml(data, file)
-    robot = Robot(check_urdf(text, file), file)
+    robot = Robot(check_urdf(text, file), file, lines=kind == "urdf")
     chain = robot.tree.chain(base, tip)
     for edge in chain.moving:
         _refuse_unless_simple(robot, edge)

@@ -7,6 +7,7 @@ from typing import Literal, NoReturn
 
 import numpy as np
 
+from ..._finding import Place
 from ..._robot import Inertia, Joint, Limits, Transform
 from ..inertia_checks import printed_tensor
 from ..xml.xml_numbers import Element, ElementReader
@@ -29,9 +30,11 @@ class Robot:
     """The tree of a checked file, and the values of its links and joints.
 
     root : what `check_urdf` returned, so elements and numbers that it requires are there
+    lines : whether the text is the file itself, so that its lines are those of the file
     """
 
-    def __init__(self, root: Element, file: str) -> None:
+    def __init__(self, root: Element, file: str, *, lines: bool = True) -> None:
+        self._file, self._lines = file, lines
         self.name = str(root.get("name"))
         self._reader = ElementReader(file)
         self._nodes: dict[str, dict[str, Element]] = {
@@ -89,6 +92,11 @@ class Robot:
             limits,
             damping=self._optional(losses, "damping") or 0.0,  # URDF: left out, they are 0
             friction=self._optional(losses, "friction") or 0.0,
+            places={
+                tag: Place(self._file, node.sourceline, 0, f"joint {edge.joint!r} {tag}")
+                for tag, node in (("limit", limit), ("dynamics", losses))
+                if node is not None and self._lines
+            },
         )
 
     def inertia(self, link: str) -> Inertia | None:
