@@ -15,8 +15,10 @@ from ._comparison.explanation import Explanation
 from ._comparison.identifiability.equivalence import Equivalence
 from ._comparison.identifiability.identifiability import Identifiability
 from ._comparison.motion_difference import ToolError, TorqueError
+from ._comparison.other_numbers import OtherNumber
 from ._comparison.parameter_table import LinkParameters
 from ._comparison.rounding.error_budget import ErrorBudget
+from ._comparison.torque_band import TorqueBand
 from ._comparison.worst_case.worst_case import WorstCase
 from ._dynamics.compiled.kernel import DifferenceKernel, Kernel
 from ._dynamics.symbolic.derivation import Derivation
@@ -57,6 +59,7 @@ __all__ = [
     "Kernel",
     "LinkParameters",
     "ModelValidation",
+    "OtherNumber",
     "Outcome",
     "Pair",
     "PairValidation",
@@ -73,6 +76,7 @@ __all__ = [
     "Sweep",
     "TermAttribution",
     "ToolError",
+    "TorqueBand",
     "TorqueError",
     "Tracking",
     "Validation",

@@ -2,13 +2,14 @@
 attributed to, the known mistakes that explain it, and the configuration within
 the joint limits where it is largest.
 
-Exit code 0: no torque differs by more than a millionth of the largest torque.
-1: one does.
+Exit code 0: no torque differs by more than the tolerance, and damping, friction,
+limits, motors and gravity are the same. 1: something differs.
 """
 
 from __future__ import annotations
 
 import argparse
+import shlex
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -60,6 +61,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="A",
         help="largest acceleration in the search for the worst state [rad/s²] (default: 10)",
     )
+    parser.add_argument(
+        "--tolerance",
+        metavar="T",
+        help="torque difference that counts as agreement: [N m], or 2%% of the effort limits "
+        "(default: a millionth of the largest torque)",
+    )
+    parser.add_argument(
+        "--uncertainty",
+        metavar="FILE",
+        help="standard deviations of the models' numbers: mass=1%%,centre=3%%,tensor=10%%, or a "
+        ".toml file",
+    )
     add_state_options(parser)
     add_gravity_option(parser)
     add_model_options(parser, ("a", "b"))
@@ -86,7 +99,14 @@ def run(args: argparse.Namespace) -> int:
         progress(args.quiet, line)
 
     say(f"comparing them at {args.samples:,} states")
-    d = diff(*arms, samples=args.samples, seed=args.seed, gravity=args.gravity)
+    d = diff(
+        *arms,
+        samples=args.samples,
+        seed=args.seed,
+        gravity=args.gravity,
+        tolerance=args.tolerance,
+        uncertainty=args.uncertainty,
+    )
     explanation = None
     if not args.quick:
         if args.acceleration is None:
@@ -94,6 +114,8 @@ def run(args: argparse.Namespace) -> int:
         explanation = explain(d, acceleration=args.acceleration, progress=say)
     parameters = by_parameter(d.pair, d.states) if args.by_parameter else None
     command = command_line("diff", args, models)
+    if args.tolerance is not None:
+        command += f" --tolerance {shlex.quote(args.tolerance)}"
     form = format_of(args.format, args.output)
     text = rendered(
         form,

@@ -224,7 +224,7 @@ def command_line(command: str, args: argparse.Namespace, models: tuple[str, ...]
         value = getattr(args, option, None)
         if value is not None:
             words += [f"--{option.replace('_', '-')}", str(value)]
-    for option in ("quantity", "to", "parameters"):
+    for option in ("quantity", "to", "parameters", "uncertainty"):
         value = getattr(args, option, None)
         if value is not None:
             words += [f"--{option}", value]

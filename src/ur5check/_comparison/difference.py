@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .._dynamics.batching import gravity_of
 from .._dynamics.recursion import rnea
+from .._errors import UsageError
 from .._io.loading import ArmSource, load
+from .._io.uncertainty import read_uncertainty
 from .._result import Result
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
@@ -17,7 +20,9 @@ from .._robot.transforms import Array
 from .arm_pair import Pair, pair_up
 from .attribution import Attribution, attribute
 from .motion_difference import ToolError, TorqueError, compare_tools, compare_torques
+from .other_numbers import OtherNumber, compare_other_numbers
 from .parameter_table import LinkParameters, compare_parameters
+from .torque_band import TorqueBand, torque_band
 
 __all__ = ["SAME_TORQUE", "Difference", "compare", "diff", "under_gravity"]
 
@@ -47,6 +52,12 @@ class Difference(Result):
         Torques of arm a [N m].
     attribution : Attribution
         The torque difference split among parameters, at every state.
+    others : tuple of OtherNumber
+        Numbers beside geometry and inertias that differ: gravity, damping, limits.
+    tolerance : ndarray, shape (n,)
+        Largest torque difference [N m] that counts as agreement, per joint.
+    band : TorqueBand or None
+        How far apart the stated uncertainties let the torques be; None where none were stated.
     """
 
     pair: Pair
@@ -57,11 +68,19 @@ class Difference(Result):
     torques: TorqueError
     tau_a: Array
     attribution: Attribution
+    others: tuple[OtherNumber, ...]
+    tolerance: Array
+    band: TorqueBand | None = None
+
+    @property
+    def same_torques(self) -> bool:
+        """Whether no torque differs by more than the tolerance."""
+        return bool((self.torques.maximum <= self.tolerance).all())
 
     @property
     def agrees(self) -> bool:
-        """Whether no torque differs by more than SAME_TORQUE of the largest."""
-        return float(self.torques.maximum.max()) <= SAME_TORQUE * float(np.abs(self.tau_a).max())
+        """Whether the torques agree, and all else that a joint's motion depends on is the same."""
+        return self.same_torques and not any(other.moves_joints for other in self.others)
 
 
 def diff(
@@ -71,6 +90,8 @@ def diff(
     samples: int = 10_000,
     seed: int = 0,
     gravity: ArrayLike | None = None,
+    tolerance: float | str | None = None,
+    uncertainty: str | Path | None = None,
 ) -> Difference:
     """Compare two arms: geometry, inertias, torques, and the attribution of the difference.
 
@@ -84,6 +105,12 @@ def diff(
         Of the states, not negative (see `random_states`).
     gravity : array-like, shape (3,), optional
         In each arm's base frame [m/s²]; each arm's own when None.
+    tolerance : float or str, optional
+        Torque difference that counts as agreement [N m], or "2%" of each joint's effort limit; a
+        millionth of the largest torque when None.
+    uncertainty : str or path, optional
+        Standard deviations of masses, centres and tensors, "mass=1%,centre=3%", or the path of a
+        .toml file (docs/uncertainty.md).
 
     Returns
     -------
@@ -92,7 +119,8 @@ def diff(
     Raises
     ------
     InputError
-        For a model that cannot be read, two arms that cannot be compared, or an invalid argument.
+        For a model that cannot be read, two arms that cannot be compared, a tolerance or an
+        uncertainty that has no meaning, or another invalid argument.
 
     Examples
     --------
@@ -102,7 +130,8 @@ def diff(
     (False, (6,))
     """
     first, second = (under_gravity(load(source), gravity) for source in (a, b))
-    return compare(first, second, random_states(first.n, samples, seed), seed)
+    states = random_states(first.n, samples, seed)
+    return compare(first, second, states, seed, tolerance=tolerance, uncertainty=uncertainty)
 
 
 def under_gravity(arm: SerialArm, gravity: ArrayLike | None) -> SerialArm:
@@ -110,9 +139,18 @@ def under_gravity(arm: SerialArm, gravity: ArrayLike | None) -> SerialArm:
     return arm if gravity is None else arm.with_gravity(gravity_of(arm, gravity))
 
 
-def compare(a: SerialArm, b: SerialArm, states: States, seed: int) -> Difference:
+def compare(
+    a: SerialArm,
+    b: SerialArm,
+    states: States,
+    seed: int,
+    *,
+    tolerance: float | str | None = None,
+    uncertainty: str | Path | None = None,
+) -> Difference:
     """`diff` on two arms at given states."""
     pair = pair_up(a, b)
+    stated = None if uncertainty is None else read_uncertainty(uncertainty, pair.a, pair.given_b)
     tau_a = rnea(pair.a, states.q, states.qd, states.qdd)
     attribution = attribute(pair, states)
     return Difference(
@@ -124,4 +162,27 @@ def compare(a: SerialArm, b: SerialArm, states: States, seed: int) -> Difference
         compare_torques(pair, attribution.delta, tau_a),
         tau_a,
         attribution,
+        compare_other_numbers(pair),
+        _tolerance(pair, tolerance, SAME_TORQUE * float(np.abs(tau_a).max())),
+        None if stated is None else torque_band(pair, states, attribution.delta, stated, seed),
     )
+
+
+def _tolerance(pair: Pair, given: float | str | None, default: float) -> Array:
+    """Of each joint, shape (n,) [N m].  Raises UsageError."""
+    if given is None:
+        return np.full(pair.a.n, default)
+    text = str(given).strip()
+    try:
+        size = float(text.removesuffix("%"))
+    except ValueError:
+        size = np.nan
+    if not (np.isfinite(size) and size >= 0.0):
+        raise UsageError(f"tolerance {given!r}: give a torque [N m], or '2%' of the effort limits")
+    if not text.endswith("%"):
+        return np.full(pair.a.n, size)
+    limits = pair.effort_limits
+    if np.isnan(limits).any():
+        joint = pair.a.joints[int(np.isnan(limits).argmax())].name
+        raise UsageError(f"tolerance {text}: no effort limit of joint {joint!r}; give it in N m")
+    return np.asarray(size / 100.0 * limits)

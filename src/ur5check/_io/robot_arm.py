@@ -157,6 +157,7 @@ class RobotDescription:
             joint.armature,
             _finite(joint.damping),
             _finite(joint.friction),
+            joint.places,
         )
 
     def joint_origin(self, edge: Edge) -> Transform:

@@ -10,6 +10,7 @@ from .diff_sections.implausible_bodies import bodies_section
 from .diff_sections.mistakes_found import findings_section
 from .diff_sections.numbers_side_by_side import numbers_section
 from .diff_sections.rounded_digits import digits_section
+from .diff_sections.stated_uncertainty import uncertainty_section
 from .diff_sections.unidentifiable import unseen_section
 from .diff_sections.worst_configuration import worst_section
 from .difference_summary import summarize as summarize_difference
@@ -51,11 +52,13 @@ def diff_document(
 def _sections(
     d: Difference, e: Explanation | None, parameters: Attribution | None, written_out: bool
 ) -> tuple[Section, ...]:
+    uncertainty = () if d.band is None else (uncertainty_section(d, d.band),)
     if e is None:
-        return numbers_section(d), contributions_section(d, None, parameters)
+        return numbers_section(d), *uncertainty, contributions_section(d, None, parameters)
     return (
         findings_section(e),
         numbers_section(d),
+        *uncertainty,
         contributions_section(d, e.terms, parameters),
         unseen_section(e, written_out=written_out),
         digits_section(e),

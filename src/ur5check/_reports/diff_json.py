@@ -12,6 +12,9 @@ from msgspec import Meta
 from .._comparison.attribution import Attribution
 from .._comparison.difference import Difference
 from .._comparison.explanation import Explanation
+from .._comparison.other_numbers import OtherNumber
+from .._comparison.torque_band import TorqueBand
+from .diff_sections.stated_uncertainty import uncertainty_in_words
 from .difference_summary import summarize as summarize_difference
 from .explanation_json import ExplanationValue, explanation_value
 from .explanation_summary import summarize as summarize_explanation
@@ -90,6 +93,42 @@ class AttributionValue(msgspec.Struct, frozen=True, kw_only=True):
     residual_max: float
 
 
+class OtherNumberValue(msgspec.Struct, frozen=True, kw_only=True):
+    """A number beside geometry and inertias that differs, or that only one model gives."""
+
+    quantity: str
+    unit: str
+    joint: str | None
+    a: Number | Vector
+    b: Number | Vector
+    place_a: str
+    place_b: str
+    moves_joints: bool
+
+
+class JointBand(msgspec.Struct, frozen=True, kw_only=True):
+    """Δτ of one joint against its standard deviation σ [N m or N]."""
+
+    joint: str
+    sigma_rms: float
+    max_ratio: Number
+    share_beyond: Share
+    worst_state: State
+    exceeds: bool
+
+
+class UncertaintyValue(msgspec.Struct, frozen=True, kw_only=True):
+    """The torque difference against stated uncertainties; ratios are |Δτ| / 2σ.
+
+    Of two models of one robot the largest ratio stays below `allowed_ratio` with a probability of
+    95 %.
+    """
+
+    sentence: str
+    allowed_ratio: float
+    joints: list[JointBand]
+
+
 class Comparison(msgspec.Struct, frozen=True, kw_only=True):
     """Two models compared."""
 
@@ -102,6 +141,10 @@ class Comparison(msgspec.Struct, frozen=True, kw_only=True):
     parameters: list[LinkPairValue]
     torques: list[JointTorque]
     attribution: AttributionValue
+    same_torques: bool
+    tolerance: Vector
+    others: list[OtherNumberValue]
+    uncertainty: UncertaintyValue | None
 
 
 class DiffReport(Report, frozen=True, kw_only=True, tag="ur5check.diff/2"):
@@ -153,6 +196,42 @@ def comparison_value(d: Difference) -> Comparison:
             contributions=_contributions(d.attribution),
             residual_max=float(np.abs(d.attribution.remainder).max()),
         ),
+        same_torques=d.same_torques,
+        tolerance=vector(d.tolerance),
+        others=[_other(other) for other in d.others],
+        uncertainty=None if d.band is None else _uncertainty(d, d.band),
+    )
+
+
+def _other(other: OtherNumber) -> OtherNumberValue:
+    a, b = (list(x) if isinstance(x, tuple) else x for x in (other.a, other.b))
+    return OtherNumberValue(
+        quantity=other.quantity,
+        unit=other.unit,
+        joint=other.joint or None,
+        a=a,
+        b=b,
+        place_a=str(other.place_a),
+        place_b=str(other.place_b),
+        moves_joints=other.moves_joints,
+    )
+
+
+def _uncertainty(d: Difference, band: TorqueBand) -> UncertaintyValue:
+    return UncertaintyValue(
+        sentence=uncertainty_in_words(d, band),
+        allowed_ratio=band.allowed,
+        joints=[
+            JointBand(
+                joint=joint.name,
+                sigma_rms=float(band.sigma[i]),
+                max_ratio=float(band.ratio[i]),
+                share_beyond=float(band.share[i]),
+                worst_state=state(d.states[int(band.worst[i])]),
+                exceeds=i + 1 in band.exceeded,
+            )
+            for i, joint in enumerate(d.pair.a.joints)
+        ],
     )
 
 

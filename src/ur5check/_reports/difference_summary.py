@@ -10,6 +10,7 @@ from .._arguments import instance
 from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from .._comparison.attribution import Contribution
 from .._robot.transforms import Transform
+from .diff_sections.stated_uncertainty import uncertainty_in_words
 from .wording import joined
 
 if TYPE_CHECKING:
@@ -29,12 +30,15 @@ _STANDS_OUT = 3.0  # principal moments further apart than this are named
 def summarize(difference: Difference) -> tuple[str, ...]:
     """Three to six sentences: verdict, geometry, gravity, attribution, outliers, residual."""
     sentences = [_verdict(difference), _geometry(difference)]
-    if not difference.agrees:
+    if not difference.same_torques:
         sentences += [
             _gravity(difference),
             contributions_in_words(difference),
             _outliers(difference),
         ]
+    if difference.band is not None:
+        sentences.append(uncertainty_in_words(difference, difference.band))
+    sentences.append(others_in_words(difference))
     sentences.append(_residual(difference))
     return tuple(sentence for sentence in sentences if sentence)
 
@@ -86,8 +90,11 @@ def _verdict(d: Difference) -> str:
     worst = int(d.torques.maximum.argmax())
     size = f"{d.torques.maximum[worst]:.3g} N m"
     joint = f"joint {worst + 1}, {d.pair.a.joints[worst].name}"
-    if d.agrees:
-        return f"{a} and {b} have the same dynamics: no torque differs by more than {size}."
+    if d.same_torques:
+        same = f"no torque differs by more than {size}."
+        if not d.others:
+            return f"{a} and {b} have the same dynamics: {same}"
+        return f"{a} and {b} need the same torques, but are not the same: {same}"
     effort = d.torques.effort[worst]
     share = "" if np.isnan(effort) else f", {d.torques.share_of_effort()[worst]:.0%} of its limit"
     return f"{a} and {b} need different torques: up to {size} apart ({joint}{share})."
@@ -147,6 +154,21 @@ def _gravity(d: Difference) -> str:
         sizes = f"{np.linalg.norm(g_a):.6g} against {np.linalg.norm(g_b):.6g} m/s²"
         return f"Different gravity: {sizes}."
     return f"Different gravity: {g_a.tolist()} against {g_b.tolist()} m/s²."
+
+
+def others_in_words(d: Difference) -> str:
+    """Which numbers beside geometry and inertias differ, each with its joints."""
+    where: dict[str, list[str]] = {}
+    for other in d.others:
+        where.setdefault(other.quantity, []).append(other.joint)
+    named = [
+        quantity
+        if joints == [""]
+        else f"{quantity} ({', '.join(joints[:3])}"
+        f"{f' and {len(joints) - 3} more' if joints[3:] else ''})"
+        for quantity, joints in where.items()
+    ]
+    return f"Also different: {'; '.join(named)}." if named else ""
 
 
 def contributions_in_words(d: Difference) -> str:

@@ -71,18 +71,24 @@ class ErrorBudgetValue(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class WorstCaseValue(msgspec.Struct, frozen=True, kw_only=True):
-    """The largest difference that was found within the limits, and its state."""
+    """The largest difference that was found within the limits, and its state.
+
+    The maximum is at least `value`, and at most `bound` where one is known.  `reached` of `starts`
+    independent ascents ended there.
+    """
 
     what: Literal["one joint", "all joints together"]
     joint: str | None
     static: bool
     value: float
+    bound: Number
     unit: str
     effort_share: Number
     state: State
     best_random: float
     starts: int
-    evaluations: int
+    reached: int
+    undetected_share: Number
 
 
 class MistakeValue(msgspec.Struct, frozen=True, kw_only=True):
@@ -210,12 +216,14 @@ def _worst(e: Explanation, case: WorstCase) -> WorstCaseValue:
         joint=None if case.joint is None else joints[case.joint - 1].name,
         static=case.static,
         value=case.value,
+        bound=case.bound,
         unit=case.unit,
         effort_share=case.effort_share,
         state=state(case.state),
         best_random=case.best_random,
         starts=case.starts,
-        evaluations=case.evaluations,
+        reached=case.reached,
+        undetected_share=case.undetected_share,
     )
 
 

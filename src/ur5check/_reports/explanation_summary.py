@@ -10,6 +10,7 @@ from .._comparison.explanation import Explanation
 from .._comparison.identifiability.equivalence import TOLERANCE, Equivalence
 from .._comparison.identifiability.identifiability import CERTAIN_GAP, WEAKEST, Identifiability
 from . import difference_summary
+from .diff_sections.stated_uncertainty import uncertainty_in_words
 from .mistake_sentences import sentence
 from .wording import joined
 
@@ -23,7 +24,7 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
     """The verdict, the mistakes that explain it, the remainder, the worst state."""
     difference = explanation.difference
     summary = difference_summary.summarize(difference)
-    if difference.agrees:
+    if difference.same_torques:
         same = explanation.equivalence
         if same.same_numbers:
             return summary
@@ -35,6 +36,9 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
     lines += _mistakes(explanation.diagnosis)
     lines.append(_rest(explanation))
     lines.append(_worst(explanation))
+    if difference.band is not None:
+        lines.append(uncertainty_in_words(difference, difference.band))
+    lines.append(difference_summary.others_in_words(difference))
     return tuple(line for line in lines if line)
 
 
@@ -130,6 +134,6 @@ def _worst(explanation: Explanation) -> str:
     share = "" if worst.effort_share is None else f", {worst.effort_share:.0%} of its limit"
     name = difference.pair.a.joints[joint - 1].name
     return (
-        f"Worst state within limits: {worst.value:.3g} N m at joint {joint} ({name}){share}, "
-        f"at q = ({posture})°."
+        f"Worst state within limits: at least {worst.value:.3g} N m at joint {joint} ({name})"
+        f"{share}, at q = ({posture})°; {worst.reached} of {worst.starts} searches ended there."
     )

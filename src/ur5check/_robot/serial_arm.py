@@ -14,7 +14,7 @@ recursion (eqs 9–15).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, TypeVar
 
@@ -22,7 +22,7 @@ import numpy as np
 
 from .._arguments import choice, instance
 from .._errors import ModelError, UsageError
-from .._finding import Finding
+from .._finding import Finding, Place
 from .inertia import Inertia
 from .transforms import Array, Transform, frozen
 
@@ -30,9 +30,9 @@ from .transforms import Array, Transform, frozen
 _SAME_FRAME = 1e-9
 
 #: Writers put the largest double where a format demands a limit and none is known.
-_NO_LIMIT = 1e100
+NO_LIMIT = 1e100
 
-__all__ = ["STANDARD_GRAVITY", "Joint", "Limits", "Link", "SerialArm", "Source"]
+__all__ = ["NO_LIMIT", "STANDARD_GRAVITY", "Joint", "Limits", "Link", "SerialArm", "Source"]
 
 _T = TypeVar("_T")
 
@@ -72,7 +72,7 @@ class Limits:
         Unknown is what is absent, and also zero (it would forbid all motion; files hold it where
         the author did not know the limit), and a number so large that it limits nothing.
         """
-        known = self.effort is not None and 0.0 < self.effort < _NO_LIMIT
+        known = self.effort is not None and 0.0 < self.effort < NO_LIMIT
         return self.effort if known else None
 
 
@@ -92,6 +92,8 @@ class Joint:
     damping, friction : float
         Viscous [N m s/rad] and dry [N m] friction ([N s/m] and [N] for a prismatic joint).  The
         recursion leaves both out; audits and simulations use them.
+    places : mapping of str to Place
+        Where "limit" and "dynamics" are written, as far as that is known.
 
     Raises
     ------
@@ -112,6 +114,7 @@ class Joint:
     armature: float = 0.0
     damping: float = 0.0
     friction: float = 0.0
+    places: Mapping[str, Place] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         instance("name", self.name, str, "give the joint a name")

@@ -6,15 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..._robot.serial_arm import NO_LIMIT
 from ..._robot.states import MAX_ANGLE, MAX_RATE, States
 from ..._robot.transforms import Array
 from ..arm_pair import Pair
 
 __all__ = ["StateBox", "state_box"]
-
-#: Pinocchio and the URDF writer put the largest double where a file must give a limit that is not
-#: known.  Nothing near it is a limit.
-_NO_LIMIT = 1e100
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +23,7 @@ class StateBox:
     rate: Array
     acceleration: Array
 
-    def draw(self, count: int, seed: int) -> States:
+    def draw(self, count: int, seed: int | tuple[int, ...]) -> States:
         """`count` states, uniform in the box."""
         rng = np.random.default_rng(seed)
         shape = (count, len(self.lower))
@@ -35,13 +32,6 @@ class StateBox:
             rng.uniform(-self.rate, self.rate, shape),
             rng.uniform(-self.acceleration, self.acceleration, shape),
         )
-
-    def ends(self, *, static: bool) -> tuple[Array, Array]:
-        """Smallest and largest (q, q̇, q̈), each of shape (3 n,); at rest, q̇ = q̈ = 0."""
-        rest = np.zeros_like(self.rate)
-        motion = [rest, rest] if static else [self.rate, self.acceleration]
-        least = [-bound for bound in motion]
-        return np.concatenate([self.lower, *least]), np.concatenate([self.upper, *motion])
 
 
 def state_box(pair: Pair, acceleration: float) -> StateBox:
@@ -64,6 +54,6 @@ def _first(pair: Pair, name: str, default: float) -> Array:
     values = []
     for joints in zip(pair.a.joints, pair.b.joints, strict=True):
         given = [getattr(joint.limits, name) for joint in joints]
-        known = [value for value in given if value is not None and abs(value) < _NO_LIMIT]
+        known = [value for value in given if value is not None and abs(value) < NO_LIMIT]
         values.append(known[0] if known else default)
     return np.array(values, dtype=np.float64)

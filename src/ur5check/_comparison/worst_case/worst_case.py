@@ -1,8 +1,9 @@
-"""The state within the limits at which Δτ = τ_a − τ_b is largest.
+"""The state within the limits at which Δτ = τ_a − τ_b is largest, as far as a search finds it.
 
 Random states show the size of a difference but not its maximum: the worst state lies on corners
 of the box of velocities and accelerations, where random states do not. The best of many random
-states are therefore the starts of a gradient ascent; the result is never below them.
+states are therefore the starts of an ascent; the result is never below them. A maximum that no
+start reached stays unknown, so that the value is a lower bound. At rest there is an upper one too.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..._arguments import instance, integer, number
 from ..._dynamics.equations import gravity_torque
@@ -18,10 +20,23 @@ from ..._dynamics.recursion import rnea
 from ..._robot.states import MAX_ACCELERATION, States
 from ..._robot.transforms import Array
 from ..arm_pair import Pair
-from .gradient_ascent import Ascent, Gain, Gap, joint_gain, squared_sum
+from .coordinate_ascent import TorqueGap, ascend
+from .gravity_bound import gravity_bounds
 from .state_box import StateBox, state_box
 
 __all__ = ["WorstCase", "worst_cases"]
+
+#: Each start is the best of this many random states.
+STATES_PER_START = 50
+
+#: Ascents for one result, times n; benchmarks/bench_worst_case.py measures what they find.
+STARTS_PER_JOINT = 32
+
+#: Two ascents reached the same maximum if their values differ by less than this part: an ascent
+#: ends some 1e-7 below its own, and two different maxima are hardly ever so close.
+SAME_MAXIMUM = 1e-6
+
+Indices = NDArray[np.intp]
 
 #: Two torques, each rounded some 32 times a joint by ε of the largest.
 ROUNDING = 64 * float(np.finfo(np.float64).eps)
@@ -43,6 +58,8 @@ class WorstCase:
         limit is not known.  A search found it: the maximum is at least this.
     unit : str
         "N m" or "N"; "of the effort limits" for shares of them.
+    bound : float or None
+        The maximum is at most this; None where no bound is known (in motion).
     effort_share : float or None
         The value as a share of the effort limit; None where that is not known.
     state : dict
@@ -50,21 +67,30 @@ class WorstCase:
     best_random : float
         The value at the best of the random states.
     starts : int
-        Ascents begun; 0 where the two arms differ by rounding only.
-    evaluations : int
-        Evaluations of Δτ and its gradient.
+        Ascents begun, from independent random states; 0 where the two arms differ by rounding only.
+    reached : int
+        How many of them ended at this value, to a millionth.
     """
 
     what: Literal["one joint", "all joints together"]
     joint: int | None
     static: bool
     value: float
+    bound: float | None
     unit: str
     effort_share: float | None
     state: dict[str, list[float]]
     best_random: float
     starts: int
-    evaluations: int
+    reached: int
+
+    @property
+    def undetected_share(self) -> float | None:
+        """How sure the search is: a higher maximum that is reached from more than this share of
+        starts would have been found with a probability of 95 %; 1 − 0.05^(1 / starts).  None
+        without a search.
+        """
+        return 1.0 - 0.05 ** (1.0 / self.starts) if self.starts else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,19 +108,13 @@ class _Question:
             return np.abs(delta[:, self.joint])
         return np.asarray(np.linalg.norm(self.weights * delta, axis=-1))
 
-    def gain(self, delta: Array) -> Gain:
-        """The objective from a state with this Δτ, shape (n,); the sign of Δτ_j is kept."""
-        if self.joint is None:
-            return squared_sum(self.weights)
-        return joint_gain(self.joint, 1.0 if delta[self.joint] >= 0.0 else -1.0, len(delta))
-
 
 def worst_cases(
     pair: Pair,
     *,
     seed: int = 0,
     acceleration: float = MAX_ACCELERATION,
-    starts: int = 12,
+    starts: int | None = None,
     random_states: int = 100_000,
 ) -> tuple[WorstCase, ...]:
     """The largest torque differences of a pair that a search finds: 2 n + 2 results.
@@ -110,10 +130,10 @@ def worst_cases(
         Of the random states, not negative.
     acceleration : float
         Bound on |q̈| [rad/s²], positive.
-    starts : int
-        Ascents for each result, at least 1.
+    starts : int, optional
+        Ascents for each result, at least 1; 32 n when None.
     random_states : int
-        Number of random states, the best of which begin the ascents; at least 1.
+        Number of random states that the results are compared with, at least 1.
 
     Returns
     -------
@@ -133,18 +153,19 @@ def worst_cases(
     (14, True)
     """
     instance("pair", pair, Pair, "see ur5check.pair_up")
-    starts = integer("starts", starts, least=1)
+    starts = STARTS_PER_JOINT * pair.a.n if starts is None else integer("starts", starts, least=1)
     random_states = integer("random_states", random_states, least=1)
     seed = integer("seed", seed, least=0)
     acceleration = number("acceleration", acceleration, positive=True)
-    box, gap = state_box(pair, acceleration), Gap(pair)
+    box = state_box(pair, acceleration)
     moving = box.draw(random_states, seed)
     rest = np.zeros_like(moving.q)
-    cases = []
-    for states in (moving, States(moving.q, rest, rest)):
-        search = _Search(pair, box, gap, states, states is not moving)
-        cases += [search.answer(question, starts) for question in _questions(pair)]
-    return tuple(cases)
+    pool = box.draw(STATES_PER_START * starts, (seed, 1))
+    at_rest = States(moving.q, rest, rest)
+    return (
+        *_answers(pair, box, moving, pool, static=False),
+        *_answers(pair, box, at_rest, pool, static=True),
+    )
 
 
 def _questions(pair: Pair) -> list[_Question]:
@@ -157,56 +178,77 @@ def _questions(pair: Pair) -> list[_Question]:
     return [*single, _Question(None, 1.0 / efforts, "of the effort limits", 1.0)]
 
 
-class _Search:
-    """The random states of a pair, moving or at rest, and the ascents that begin there."""
-
-    def __init__(self, pair: Pair, box: StateBox, gap: Gap, states: States, static: bool) -> None:
-        self.pair, self.gap, self.states, self.static = pair, gap, states, static
-        self.ascent = Ascent(gap, *box.ends(static=static))
-        self.delta, self.rounding = _delta(pair, states, static)
-
-    def answer(self, question: _Question, starts: int) -> WorstCase:
-        sizes = question.values(self.delta)
-        before = self.gap.evaluations
-        # The best of each slice, not the best of all: those lie around one maximum.
-        slices = min(starts, len(sizes))
-        chosen = [int(part + slices * sizes[part::slices].argmax()) for part in range(slices)]
-        best = max(chosen, key=lambda k: float(sizes[k]))
-        candidates = [self._x(best)]
-        if sizes[best] > self.rounding * float(np.linalg.norm(question.weights)):
-            candidates += self._tops(chosen, question)
-        # Judged by the recursion, with the best random state among the candidates.
-        found = States(*np.reshape(candidates, (-1, 3, self.pair.a.n)).swapaxes(0, 1))
-        values = question.values(_delta(self.pair, found, self.static)[0])
+def _answers(
+    pair: Pair, box: StateBox, states: States, pool: States, *, static: bool
+) -> list[WorstCase]:
+    """One result for each question; the ascents of all of them are made together."""
+    delta, rounding = _delta(pair, states, static)
+    starts = len(pool) // STATES_PER_START
+    bounds = gravity_bounds(pair, box) if static else None
+    questions = _questions(pair)
+    rounded = [rounding * float(np.linalg.norm(question.weights)) for question in questions]
+    best = [int(question.values(delta).argmax()) for question in questions]
+    searched = [
+        k
+        for k, question in enumerate(questions)
+        if question.values(delta[[best[k]]])[0] > rounded[k]
+    ]
+    ends: dict[int, States] = {}
+    if searched:
+        gap = TorqueGap(pair, static)
+        begin = _starts(gap, box, pool, [questions[k] for k in searched])
+        weights = np.repeat([questions[k].weights for k in searched], starts, axis=0)
+        reached = ascend(gap, box, begin, weights)
+        ends = {k: _at(reached, np.arange(starts) + i * starts) for i, k in enumerate(searched)}
+    cases = []
+    for k, question in enumerate(questions):
+        candidates = _at(states, np.array([best[k]]))
+        if k in ends:
+            candidates = _joined([candidates, ends[k]])
+        values = question.values(_delta(pair, candidates, static)[0])
         winner, j = int(values.argmax()), question.joint
         value = float(values[winner])
-        return WorstCase(
-            "all joints together" if j is None else "one joint",
-            None if j is None else j + 1,
-            self.static,
-            value,
-            question.unit,
-            None if np.isnan(question.effort) else value / question.effort,
-            found[winner],
-            float(values[0]),
-            len(candidates) - 1,
-            self.gap.evaluations - before,
+        cases.append(
+            WorstCase(
+                "all joints together" if j is None else "one joint",
+                None if j is None else j + 1,
+                static,
+                value,
+                None if bounds is None else float(np.linalg.norm(question.weights * bounds)),
+                question.unit,
+                None if np.isnan(question.effort) else value / question.effort,
+                candidates[winner],
+                float(values[0]),
+                len(values) - 1,
+                int((values[1:] >= value * (1.0 - SAME_MAXIMUM)).sum()),
+            )
         )
+    return cases
 
-    def _tops(self, chosen: list[int], question: _Question) -> list[Array]:
-        """Results of the ascents from these states; the highest is refined."""
-        gains = [question.gain(self.delta[k]) for k in chosen]
-        tops = [
-            self.ascent.climb(self.ascent.better_corner(self._x(k), gain), gain)
-            for k, gain in zip(chosen, gains, strict=True)
-        ]
-        first = max(range(len(tops)), key=lambda i: tops[i][0])
-        tops[first] = self.ascent.climb(tops[first][1], gains[first], digits=14)
-        return [x for _, x in tops]
 
-    def _x(self, k: int) -> Array:
-        """Random state number k as x = (q, q̇, q̈)."""
-        return np.concatenate([self.states.q[k], self.states.qd[k], self.states.qdd[k]])
+def _starts(gap: TorqueGap, box: StateBox, pool: States, questions: list[_Question]) -> States:
+    """Starts for each question: each the best of a share of the pool of its own, so that they are
+    independent, with velocities at corners of the box and the best accelerations.
+    """
+    q, count = pool.q, len(pool) // STATES_PER_START
+    qd = np.where(pool.qd < 0.0, -box.rate, box.rate) * (not gap.static)
+    sizes, qdd = gap.with_best_accelerations(q, qd, box.acceleration)
+    begin = []
+    for question in questions:
+        heights = (question.weights * sizes) ** 2
+        best = heights.sum(axis=1).reshape(-1, count).argmax(axis=0) * count + np.arange(count)
+        begin.append(States(q[best], qd[best], qdd[best, heights[best].argmax(axis=1)]))
+    return _joined(begin)
+
+
+def _joined(several: list[States]) -> States:
+    return States(
+        *(np.concatenate([getattr(each, part) for each in several]) for part in ("q", "qd", "qdd"))
+    )
+
+
+def _at(states: States, indices: Indices) -> States:
+    return States(states.q[indices], states.qd[indices], states.qdd[indices])
 
 
 def _delta(pair: Pair, states: States, static: bool) -> tuple[Array, float]:

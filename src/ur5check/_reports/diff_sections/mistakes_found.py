@@ -37,7 +37,7 @@ def findings_section(e: Explanation) -> Section:
 
 
 def _none(e: Explanation) -> str:
-    if e.difference.agrees:
+    if e.difference.same_torques:
         return "Nothing: there is no difference to explain."
     return "No single known mistake explains the difference."
 

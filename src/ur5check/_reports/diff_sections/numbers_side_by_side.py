@@ -10,6 +10,7 @@ from ..._comparison.parameter_table import LinkParameters
 from ..document import Column, Row, Section, Table
 from ..pair_parts import alignment_lines, torque_table
 from ..wording import coordinates, figures, link_label
+from .other_numbers import others_table
 
 __all__ = ["numbers_section"]
 
@@ -22,7 +23,9 @@ def numbers_section(d: Difference) -> Section:
     """Alignment, geometry where axes differ, the numbers that differ, torques joint by joint."""
     geometry = () if d.pair.alignment.exact else (_axis_table(d), _reach_table(d))
     said, bodies = _bodies(d)
-    tables = (table for table in (*geometry, bodies, torque_table(d)) if table.rows)
+    tables = (
+        table for table in (*geometry, bodies, others_table(d), torque_table(d)) if table.rows
+    )
     states = f"{len(d.states):,} random states; torques of speeds and accelerations included."
     return Section("The numbers", (*alignment_lines(d), said, states), tuple(tables))
 
