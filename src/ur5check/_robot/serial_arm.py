@@ -24,7 +24,7 @@ from .._arguments import choice, instance
 from .._errors import ModelError, UsageError
 from .._finding import Finding, Place
 from .inertia import Inertia
-from .transforms import Array, Transform, frozen
+from .transforms import Array, Transform, frozen, unit_vector
 
 #: Largest rounding between a frame and the inverse of its inverse.
 _SAME_FRAME = 1e-9
@@ -121,18 +121,11 @@ class Joint:
         choice("kind", self.kind, ("revolute", "prismatic"))
         instance("limits", self.limits, Limits, "see ur5check.Limits")
         axis = frozen(self.axis, (3,), "axis")
-        with np.errstate(over="ignore"):
-            length = float(np.linalg.norm(axis))
-        if axis.any() and not 0.0 < length < np.inf:  # squares of 1e±200 overflow or vanish
-            axis = axis / np.abs(axis).max()
-            length = float(np.linalg.norm(axis))
-        if length == 0.0:
+        if not axis.any():
             raise ModelError(
                 "the axis is zero", fix="give its direction", element=f"joint {self.name!r}"
             )
-        # Division would round the entries of an axis that is a unit vector already.
-        unit = axis if abs(length - 1.0) <= np.finfo(float).eps else axis / length
-        object.__setattr__(self, "axis", frozen(unit, (3,)))
+        object.__setattr__(self, "axis", frozen(unit_vector(axis), (3,)))
 
     def motion(self, q: float) -> Transform:
         """The transform J_i(q) of the joint.

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from .._arguments import number, number_array
 from .._errors import ModelError
 
-__all__ = ["Array", "Transform", "cos_sin", "frozen", "skew"]
+__all__ = ["Array", "Transform", "cos_sin", "frozen", "skew", "unit_vector"]
 
 Array = NDArray[np.float64]
 
@@ -59,6 +59,19 @@ def skew(v: ArrayLike) -> Array:
     """The matrix S(v), shape (3, 3), with S(v) x = v × x."""
     x, y, z = np.asarray(v, dtype=np.float64)
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+
+
+def unit_vector(v: Array) -> Array:
+    """The direction of v, shape (3,), finite and not zero.
+
+    A vector of unit length, to rounding, comes back as it is: division would change its digits.
+    """
+    with np.errstate(over="ignore"):
+        length = float(np.linalg.norm(v))
+    if not 0.0 < length < np.inf:  # squares of 1e±200 overflow or vanish
+        v = v / np.abs(v).max()
+        length = float(np.linalg.norm(v))
+    return v if abs(length - 1.0) <= np.finfo(float).eps else np.asarray(v / length)
 
 
 @dataclass(frozen=True, eq=False)

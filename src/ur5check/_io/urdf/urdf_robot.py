@@ -24,7 +24,7 @@ from ..._robot.robot import (
     ShapeRef,
 )
 from ..._robot.serial_arm import STANDARD_GRAVITY, Limits
-from ..._robot.transforms import Array, Transform
+from ..._robot.transforms import Array, Transform, unit_vector
 from ..._rules.finding_log import FindingLog
 from ..printed_numbers import common_rounding, plain_number
 from ..suggestions import did_you_mean
@@ -299,13 +299,9 @@ class _Reader:
         if axis_node is None:
             return default, default
         written = np.array(self._triple(axis_node, "xyz", f"{subject} axis", None))
-        largest = np.abs(written).max()
-        if not np.isfinite(largest) or largest == 0.0:
+        if not np.isfinite(written).all() or not written.any():
             return written, np.full(3, math.nan)
-        scaled = written / largest  # squares of 1e±200 would overflow or vanish
-        length = float(np.linalg.norm(scaled))
-        unit = abs(largest * length - 1.0) <= np.finfo(float).eps
-        return written, written if unit else scaled / length
+        return written, unit_vector(written)
 
     def _limits(self, node: XmlNode, subject: str, kind: str) -> Limits:
         limit = self._only(node, "limit", subject)
