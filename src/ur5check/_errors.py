@@ -59,6 +59,19 @@ class ModelError(InputError):
         self.rule = rule
         super().__init__(self._sentence())
 
+    @classmethod
+    def of(cls, finding: Finding) -> ModelError:
+        """A finding as an error, for commands that stop at the first."""
+        return cls(
+            finding.message,
+            fix=finding.fix,
+            file=finding.place.file or None,
+            line=finding.place.line or None,
+            element=finding.subject,
+            value=finding.value,
+            rule=finding.rule,
+        )
+
     @property
     def finding(self) -> Finding:
         """The same as a finding, for reports that list several."""

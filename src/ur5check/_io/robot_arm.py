@@ -16,7 +16,8 @@ from .._robot.transforms import Array, Transform
 from .arm_choice import choose_arm
 from .chain_assembly import assemble
 from .suggestions import did_you_mean
-from .urdf.urdf_chain import Edge, Tree
+from .urdf.urdf_chain import Chain, Edge, Tree
+from .world_body import chain_from_world
 
 __all__ = ["arm_of_robot"]
 
@@ -58,7 +59,11 @@ def arm_of_robot(
         if choice.fingers:
             shown = ", ".join(map(repr, choice.fingers[:6])) + (", …" if choice.fingers[6:] else "")
             notes += (f"the arm ends before its gripper ({shown})",)
-    chain = description.tree.chain(base, tip)
+    if robot.kind in ("mjcf", "sdf"):
+        chain = chain_from_world(description.tree, base, tip)
+    else:
+        chain = description.tree.chain(base, tip)
+    description.check_unmodelled(chain)
     moving = {edge.joint for edge in chain.moving}
     for name in description.hold:
         if name not in robot.joint or name in moving:
@@ -81,7 +86,7 @@ def arm_of_robot(
             base=chain.base,
             tip=chain.tip,
             held=description.held_beside(frozenset(moving)),
-            notes=(*notes, *parts.notes),
+            notes=(*robot.notes, *notes, *parts.notes),
         ),
     )
 
@@ -151,12 +156,12 @@ class _Description:
         return tuple((name, value) for name, value in values if value != 0.0)
 
     def _held_at(self, joint: RobotJoint, moving: frozenset[str], seen: tuple[str, ...]) -> float:
-        """Where a joint beside the arm is held: as asked, where its <mimic> puts it, or at 0."""
+        """Where a joint beside the arm is held: as asked, where another joint puts it, or as the file has it."""
         if joint.name in self.hold:
             return self.hold[joint.name]
         mimic = joint.mimic
         if mimic is None or joint.name in seen or mimic.joint not in self.robot.joint:
-            return 0.0
+            return joint.rest
         if mimic.joint in moving:
             problem = f"moves with joint {mimic.joint!r} of the arm, beside it: no serial chain"
             self.fail("joint", joint.name, " mimic", problem, "choose the arm without this joint")
@@ -164,6 +169,8 @@ class _Description:
         return mimic.multiplier * followed + mimic.offset
 
     def inertia(self, link: str) -> Inertia | None:
+        if self.robot.link[link].between:
+            return Inertia.zero()
         inertial = self.robot.link[link].inertial
         if inertial is None:
             return None
@@ -183,6 +190,25 @@ class _Description:
             line=place.line or None,
             element=f"{tag} {name!r}{part}",
         )
+
+    def check_unmodelled(self, chain: Chain) -> None:
+        """Refuse what acts on a joint of the chain, or between two of its links."""
+        moving = {edge.joint for edge in chain.moving}
+        mover: dict[str, str] = {}
+        for edge in chain.moving:
+            mover[edge.child] = edge.joint
+            for rigid in self.tree.rigid_group(edge.child, chain):
+                mover[rigid.child] = edge.joint
+        for one in self.robot.unmodelled:
+            if one.joints & moving or len({mover.get(link, "") for link in one.links}) > 1:
+                raise ModelError(
+                    one.problem,
+                    fix="choose --base and --tip so that it lies outside the arm, or remove it",
+                    file=one.place.file,
+                    line=one.place.line or None,
+                    element=one.what,
+                    rule="TRE106",
+                )
 
     def lost(self, link: str) -> NoReturn:
         fix = did_you_mean(link, self.robot.link)

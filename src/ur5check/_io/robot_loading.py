@@ -31,7 +31,7 @@ class RobotReading:
     inputs : (name, SHA-256) of every file that was read
     base, tip : between which links the arm is taken: as asked, else a shipped model's own
     text : of the URDF, after xacro expansion, for engines that bring their own parser
-    arm : where the format's reader gives one chain only (DH tables, MJCF, SDF)
+    arm : of a DH table, which is nothing else
     packages : where package:// addresses lead;  folder : of the file
     """
 
@@ -99,8 +99,8 @@ def load_robot(
     Parameters
     ----------
     model : str or Path
-        A shipped model's name, or the path of a file.  URDF and xacro give the whole tree; of
-        MJCF, SDF and DH tables one chain is read.
+        A shipped model's name, or the path of a file.  Bodies of an MJCF are links, under the link
+        "world"; a DH table is a robot without branches.
     packages : mapping, optional
         Folders of ROS packages, by name.
     arguments : mapping, optional
@@ -131,17 +131,7 @@ def load_robot(
     reading = read_robot(model, packages=packages, arguments=arguments)
     errors = [finding for finding in reading.findings if finding.severity == "error"]
     if errors or reading.robot is None:
-        first = errors[0]
-        place = first.places[0] if first.places else Place(reading.file)
-        raise ModelError(
-            first.message,
-            fix=first.fix,
-            file=place.file,
-            line=place.line or None,
-            element=first.subject,
-            value=first.value,
-            rule=first.rule,
-        )
+        raise ModelError.of(errors[0])
     return reading.robot
 
 
@@ -154,7 +144,9 @@ def _read(
         return _xacro(here, arguments)
     if kind == "urdf":
         return _urdf(here, here.data, here.label, "urdf", here.inputs)
-    return _one_chain(here, base, tip)
+    if kind == "mjcf":
+        return _mjcf(here, (base, tip))
+    return _sdf(here) if kind == "sdf" else _dh(here)
 
 
 def _kind(here: _File) -> str:
@@ -182,6 +174,11 @@ class _File:
     @property
     def inputs(self) -> tuple[tuple[str, str], ...]:
         return ((self.label, hashlib.sha256(self.data).hexdigest()),)
+
+    def reading(self, robot: Robot | None, log: FindingLog) -> RobotReading:
+        findings, folder = tuple(log.findings), self.path.parent
+        inputs = self.inputs if robot is None else robot.inputs
+        return RobotReading(self.label, robot, findings, self.packages, folder, inputs)
 
     def nothing(self, *findings: Finding) -> RobotReading:
         return RobotReading(
@@ -227,22 +224,25 @@ def _xacro(file: _File, arguments: Mapping[str, str]) -> RobotReading:
     return _urdf(file, expansion.text.encode(), label, "xacro", tuple(expansion.inputs))
 
 
-def _one_chain(file: _File, base: str | None, tip: str | None) -> RobotReading:
-    """Formats whose reader gives one chain, and stops at the first fault."""
-    from .loading import load
-    from .robot_of_arm import robot_of_arm
+def _mjcf(file: _File, frames: tuple[str | None, ...]) -> RobotReading:
+    from .mjcf.mjcf_robot import read_mjcf_robot
 
-    try:
-        arm = load(file.path, base=base, tip=tip)
-    except ModelError as error:
-        return file.nothing(error.finding)
-    return RobotReading(
-        file.label,
-        robot_of_arm(arm, file.label),
-        (),
-        file.packages,
-        file.path.parent,
-        arm.source.inputs or file.inputs,
-        None,
-        arm,
-    )
+    log = FindingLog()
+    named = [name for name in frames if name is not None]
+    robot = read_mjcf_robot(file.data, file.label, file.path.parent, log, frames=named)
+    return file.reading(robot, log)
+
+
+def _sdf(file: _File) -> RobotReading:
+    from .sdf.sdf_robot import read_sdf_robot
+
+    log = FindingLog()
+    return file.reading(read_sdf_robot(file.data, file.label, log), log)
+
+
+def _dh(file: _File) -> RobotReading:
+    from .dh.dh_reader import read_dh_robot
+
+    log = FindingLog()
+    robot, arm = read_dh_robot(file.data, file.label, log)
+    return replace(file.reading(robot, log), arm=arm)

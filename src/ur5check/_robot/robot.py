@@ -28,6 +28,7 @@ __all__ = [
     "RobotJoint",
     "RobotLink",
     "ShapeRef",
+    "Unmodelled",
 ]
 
 JointKind = Literal["revolute", "continuous", "prismatic", "fixed", "floating", "planar", "ball"]
@@ -44,7 +45,7 @@ class Inertial:
     rpy : of the axes along which the entries are given, shape (3,) [rad]
     entries : ixx … izz about the centre of mass, along these axes [kg m²]
     rounding : half a unit of the last digit that each entry prints [kg m²]; empty where the numbers
-        were computed, not printed
+        were computed, not printed: machine precision then
     places : where "mass", "origin", "inertia" and single entries are written
     """
 
@@ -110,12 +111,17 @@ class ShapeRef:
 
 @dataclass(frozen=True, eq=False)
 class RobotLink:
-    """A link; inertial : None where the file gives none."""
+    """A link.
+
+    inertial : None where the file gives none
+    between : whether it only stands between two joints of one body, as MJCF writes them
+    """
 
     name: str
     inertial: Inertial | None
     shapes: tuple[ShapeRef, ...] = ()
     place: Place = field(default_factory=Place)
+    between: bool = False
 
 
 @dataclass(frozen=True)
@@ -134,6 +140,7 @@ class RobotJoint:
     origin : pose of the joint's frame in the parent link's, at q = 0
     axis : unit vector in the joint's frame, shape (3,); written_axis : as the file has it
     carried : pose of the child's frame seen from the joint's moving side (identity in a URDF)
+    rest : position in the posture that the file describes [rad] or [m]
     rpy : the origin's angles as written, shape (3,) [rad]
     places : where "origin", "axis", "limit", "dynamics", "mimic" and single attributes are written
     """
@@ -152,6 +159,7 @@ class RobotJoint:
     friction: float = 0.0
     armature: float = 0.0
     mimic: Mimic | None = None
+    rest: float = 0.0
     place: Place = field(default_factory=Place)
     places: Mapping[str, Place] = field(default_factory=dict)
 
@@ -166,6 +174,21 @@ class RobotJoint:
 
 
 @dataclass(frozen=True, eq=False)
+class Unmodelled:
+    """What acts on the robot beside joints, weight and drives, and is in no torque computed here.
+
+    what : "equality 'weld'", "tendon 't'", "joint 'elbow' stiffness";  problem : as a clause
+    joints, links : on whose motion it acts: on a joint, or between the links
+    """
+
+    what: str
+    problem: str
+    joints: frozenset[str] = frozenset()
+    links: frozenset[str] = frozenset()
+    place: Place = field(default_factory=Place)
+
+
+@dataclass(frozen=True, eq=False)
 class Robot:
     """A whole description.
 
@@ -173,6 +196,8 @@ class Robot:
     kind : "urdf", "xacro", "mjcf", "sdf" or "dh";  file : as the user gave it
     gravity : in the root's frame, shape (3,) [m/s²]
     inputs : (name, SHA-256) of every file that was read
+    unmodelled : what acts on it beside its joints, weight and drives
+    notes : remarks of the reader for reports
     """
 
     name: str
@@ -182,6 +207,8 @@ class Robot:
     file: str
     gravity: Array
     inputs: tuple[tuple[str, str], ...] = ()
+    unmodelled: tuple[Unmodelled, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @cached_property
     def link(self) -> Mapping[str, RobotLink]:

@@ -95,6 +95,8 @@ class RobotTree:
         planar and ball joints, numbers that could not be read, and a mimic joint without a source.
         """
         instance("robot", robot, Robot, "see ur5check.load_robot")
+        for one in robot.unmodelled:
+            raise _refused(one.what, one.place.file, one.place.line, one.problem)
         placements = {_root(robot): (-1, Transform.identity())}
         moved: list[tuple[int, Transform, RobotJoint]] = []
         bodies: list[list[Inertia]] = []

@@ -86,7 +86,7 @@ def _graver_if_heavy(inertial: Inertial) -> Severity | None:
 def _moving_groups(s: RuleSubject) -> Iterator[tuple[RobotLink, list[str]]]:
     """Links right after a moving joint, with all that is fixed to them."""
     for one in s.robot.joints:
-        if one.moves:
+        if one.moves and not s.robot.link[one.child].between:
             yield s.robot.link[one.child], list(s.robot.rigid(one.child))
 
 
