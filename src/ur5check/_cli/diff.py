@@ -88,7 +88,9 @@ def run(args: argparse.Namespace) -> int:
     say(f"comparing them at {args.samples:,} states")
     d = diff(*arms, samples=args.samples, seed=args.seed, gravity=args.gravity)
     explanation = None
-    if not args.quick:
+    if d.gravity_only:
+        say("tensors are unknown: only gravity torques are compared, and not explained")
+    elif not args.quick:
         if args.acceleration is None:
             args.acceleration = MAX_ACCELERATION
         explanation = explain(d, acceleration=args.acceleration, progress=say)

@@ -46,6 +46,11 @@ class Difference(Result):
     attribution: Attribution
 
     @property
+    def gravity_only(self) -> bool:
+        """Whether tensors of an arm are unknown, so that the arms are compared at rest."""
+        return bool(self.pair.a.unknown_tensors or self.pair.b.unknown_tensors)
+
+    @property
     def agrees(self) -> bool:
         """Whether no torque differs by more than SAME_TORQUE of the largest."""
         return float(self.torques.maximum.max()) <= SAME_TORQUE * float(np.abs(self.tau_a).max())
@@ -83,6 +88,9 @@ def under_gravity(arm: SerialArm, gravity: ArrayLike | None) -> SerialArm:
 def compare(a: SerialArm, b: SerialArm, states: States, seed: int) -> Difference:
     """`diff` on two arms at given states."""
     pair = pair_up(a, b)
+    if a.unknown_tensors or b.unknown_tensors:
+        still = np.zeros_like(states.q)
+        states = States(states.q, still, still)
     tau_a = rnea(pair.a, states.q, states.qd, states.qdd)
     attribution = attribute(pair, states)
     return Difference(

@@ -82,4 +82,5 @@ def make_engine(key: str, arm: ArmSource, gravity: ArrayLike | None = None) -> E
     """
     make = engine_class(key)
     arm = as_arm(arm)
+    arm.require_tensors("an engine's model")
     return make(arm, gravity_of(arm, gravity))

@@ -91,4 +91,5 @@ def limit_resources(*, seconds: float, memory: int, file_size: int) -> None:
     ):
         # macOS knows RLIMIT_AS but does not take it; the wall clock still ends a memory bomb there.
         with suppress(ValueError, OSError):
-            resource.setrlimit(kind, (value, value))
+            # At the lower of the two the process is told why it ends.
+            resource.setrlimit(kind, (value, value + (kind == resource.RLIMIT_CPU)))

@@ -156,7 +156,7 @@ class _Description:
         return tuple((name, value) for name, value in values if value != 0.0)
 
     def _held_at(self, joint: RobotJoint, moving: frozenset[str], seen: tuple[str, ...]) -> float:
-        """Where a joint beside the arm is held: as asked, where another joint puts it, or as the file has it."""
+        """Where a joint beside the arm is held: as asked, as another joint has it, or at rest."""
         if joint.name in self.hold:
             return self.hold[joint.name]
         mimic = joint.mimic

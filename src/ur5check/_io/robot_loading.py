@@ -146,7 +146,12 @@ def _read(
         return _urdf(here, here.data, here.label, "urdf", here.inputs)
     if kind == "mjcf":
         return _mjcf(here, (base, tip))
-    return _sdf(here) if kind == "sdf" else _dh(here)
+    if kind == "sdf":
+        return _sdf(here)
+    for name, link in (("base", base), ("tip", tip)):
+        if link is not None:
+            raise UsageError(f"{name}= has no meaning for a DH table; leave it out")
+    return _dh(here)
 
 
 def _kind(here: _File) -> str:

@@ -43,9 +43,7 @@ def strict_arm(
     return arm
 
 
-def judged_bodies(
-    links: Sequence[RobotLink], joints: Sequence[RobotJoint] = ()
-) -> list[Finding]:
+def judged_bodies(links: Sequence[RobotLink], joints: Sequence[RobotJoint] = ()) -> list[Finding]:
     """What is wrong with the bodies and axes alone, of a file whose tree could not be read."""
     robot = Robot("", tuple(links), tuple(joints), "", "", np.zeros(3))
     return _impossible(robot)

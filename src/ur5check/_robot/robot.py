@@ -43,7 +43,8 @@ class Inertial:
 
     mass : [kg];  xyz : centre of mass in the link's frame, shape (3,) [m]
     rpy : of the axes along which the entries are given, shape (3,) [rad]
-    entries : ixx … izz about the centre of mass, along these axes [kg m²]
+    entries : ixx … izz about the centre of mass, along these axes [kg m²]; none where the file
+        leaves the tensor open
     rounding : half a unit of the last digit that each entry prints [kg m²]; empty where the numbers
         were computed, not printed: machine precision then
     places : where "mass", "origin", "inertia" and single entries are written
@@ -73,6 +74,11 @@ class Inertial:
         """How far each entry of the tensor may be off by its printed digits, (3, 3) [kg m²]."""
         names = (("ixx", "ixy", "ixz"), ("ixy", "iyy", "iyz"), ("ixz", "iyz", "izz"))
         return np.array([[self.rounding.get(name, 0.0) for name in row] for row in names])
+
+    @property
+    def tensor_known(self) -> bool:
+        """Whether the file says anything of the tensor."""
+        return bool(self.entries)
 
     @cached_property
     def readable(self) -> bool:

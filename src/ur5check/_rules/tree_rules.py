@@ -19,6 +19,7 @@ def _unmodelled(s: RuleSubject) -> Iterator[Finding]:
     for one in s.robot.unmodelled:
         yield finding_of("TRE106", one.what, one.problem, one.place)
 
+
 RULES = (
     Rule(
         "TRE101",

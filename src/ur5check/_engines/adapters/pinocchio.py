@@ -41,6 +41,7 @@ class PinocchioEngine:
     name = "Pinocchio"
 
     def __init__(self, arm: SerialArm, gravity: ArrayLike | None = None) -> None:
+        arm.require_tensors("an engine's model")
         self.arm = arm
         self.version = str(pin.__version__)
         self.warnings: tuple[str, ...] = ()

@@ -102,9 +102,7 @@ def motors(spec: Any) -> dict[str, dict[str, Any]]:
     return found
 
 
-def _along(
-    tendon: Any, sites: dict[str, str], geoms: dict[str, str]
-) -> tuple[set[str], set[str]]:
+def _along(tendon: Any, sites: dict[str, str], geoms: dict[str, str]) -> tuple[set[str], set[str]]:
     """Joints and bodies that a tendon passes."""
     joints, bodies = set[str](), set[str]()
     for wrap in tendon.path:

@@ -44,6 +44,8 @@ __all__ = ["read_mjcf_robot"]
 WORLD = "world"
 #: Of the processor [s], of the wall clock [s], of memory and answer [byte].
 _SECONDS, _AT_MOST, _MEMORY, _OUTPUT = 10.0, 120.0, 2**30, 64 * 2**20
+#: What one element may unfold into; more would only keep the compiler busy until its limits.
+_MOST_ENTRIES = 1_000_000
 _UNLIMITED = np.finfo(float).max
 _FULL = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")  # MJCF's order
 
@@ -77,6 +79,11 @@ def read_mjcf_robot(
 
 def _compile(text: MjcfText, sites: list[str]) -> dict[str, Any] | None:
     """What MuJoCo makes of it; None, with a finding, where that is nothing."""
+    node, entries = text.largest()
+    if entries > _MOST_ENTRIES:
+        problem = f"stands for {entries:,.0f} entries, more than {_MOST_ENTRIES:,}"
+        text.log.add("XML100", f"<{node.tag}>", problem, node.place(), fix="make it smaller")
+        return None
     request = {
         "text": text.text,
         "folder": str(text.folder.resolve()),
@@ -98,7 +105,6 @@ def _compile(text: MjcfText, sites: list[str]) -> dict[str, Any] | None:
             )
     except (EndedError, ValueError) as error:
         problem = error.problem if isinstance(error, EndedError) else "MuJoCo gave no answer"
-        node = text.largest()
         text.log.add("XML109", f"<{node.tag}>", problem, node.place())
         return None
     if "bodies" not in answer:
@@ -242,7 +248,11 @@ class _Reader:
             return None
         where = f"{subject} inertial"
         (mass,) = numbers(written, "mass", where, None) or [np.nan]
-        pos = numbers(written, "pos", where, None)
+        given = numbers(written, "pos", where, None)
+        if written.get("pos") is None:
+            given = [0.0] * 3
+        elif len(given) != 3:
+            given = [np.nan] * 3
         key = "fullinertia" if written.get("fullinertia") is not None else "diaginertia"
         values = numbers(written, key, where, None)
         names = _FULL if key == "fullinertia" else _FULL[:3]
@@ -257,7 +267,7 @@ class _Reader:
                 places[part] = written.place(attribute, f"{where}/{part}")
         return Inertial(
             mass,
-            np.array(pos if len(pos) == 3 else [np.nan] * 3 if pos or written.get("pos") else [0.0] * 3),
+            np.array(given),
             _rpy(body["turn"]),
             entries,
             common_rounding(entries),
@@ -265,7 +275,7 @@ class _Reader:
         )
 
     def _shapes(self, body: dict[str, Any], subject: str) -> tuple[ShapeRef, ...]:
-        """None where one of them is of a kind that is not known here: the rest encloses too little."""
+        """None at all where one is of a kind not known here: the rest encloses too little."""
         shapes = []
         for geom in body["geoms"]:
             known = self.answer["shapes"].get(geom["name"])

@@ -72,8 +72,8 @@ class MjcfText:
         node = self.node(line)
         return Place(self.file, element=element) if node is None else node.place(None, element)
 
-    def largest(self) -> XmlNode:
-        """The element that unfolds into the most, which a compiler without end is at."""
+    def largest(self) -> tuple[XmlNode, float]:
+        """The element that unfolds into the most entries, and how many."""
         found, most = self.root, 1.0
         stack = [(self.root, 1.0)]
         while stack:
@@ -84,7 +84,7 @@ class MjcfText:
             if size > most:
                 found, most = node, size
             stack += [(child, size if node.tag == "replicate" else 1.0) for child in node.children]
-        return found
+        return found, most
 
     def _parsed(self, data: bytes, file: str) -> XmlNode:
         self.inputs.append((file, hashlib.sha256(data).hexdigest()))
@@ -115,8 +115,9 @@ class MjcfText:
                 # MuJoCo looks from the main file's folder, wherever the <include> itself stands.
                 inner = self._parsed(read_regular(self.folder / PurePosixPath(name)), name)
             except (OSError, ValueError):
-                problem = f"the file {name!r} cannot be read; paths start from the main file's folder"
-                self.log.add("XML100", "<include> file", problem, place, value=name)
+                problem = f"the file {name!r} cannot be read"
+                fix = "put it there: paths start from the folder of the main file"
+                self.log.add("XML100", "<include> file", problem, place, value=name, fix=fix)
             except XmlError as error:
                 place = Place(name, error.line, error.column)
                 self.log.add("XML101", "<include>", error.problem, place)
@@ -126,7 +127,7 @@ class MjcfText:
         return []
 
     def _check(self, root: XmlNode) -> None:
-        stack = [(root, None)]
+        stack: list[tuple[XmlNode, XmlNode | None]] = [(root, None)]
         while stack:
             node, above = stack.pop()
             kept = []

@@ -30,8 +30,8 @@ def main() -> None:
     )
     try:
         answer = _read(request["text"], request["root"])
-    except MemoryError:
-        answer = {"refused": "it needs more memory than a description may take"}
+    except Exception as error:  # noqa: BLE001 - whatever it is, the answer must say it
+        answer = {"refused": f"{type(error).__name__} in Drake: {error}"}
     with os.fdopen(answer_file, "wb") as file:
         file.write(json.dumps(answer).encode())
 

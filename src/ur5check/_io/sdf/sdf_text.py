@@ -191,9 +191,7 @@ class SdfText:
             problem = f"the file holds {len(models)} models, and this one is left out"
             subject = f"model {other.get('name')!r}"
             fix = "keep the arm's model alone"
-            self.log.add(
-                "XML108", subject, problem, other.place(), severity=severity, fix=fix
-            )
+            self.log.add("XML108", subject, problem, other.place(), severity=severity, fix=fix)
             above.children = [each for each in above.children if each is not other]
         return (None if owner is self.root else owner), model
 
@@ -274,7 +272,11 @@ def _size(solid: XmlNode, log: FindingLog) -> tuple[float, ...]:
     if solid.tag == "box":
         size = child(solid, "size")
         return () if size is None else tuple(numbers(size, 3, "size", log))
-    keys = {"sphere": ("radius",), "cylinder": ("radius", "length"), "capsule": ("radius", "length")}
+    keys = {
+        "sphere": ("radius",),
+        "cylinder": ("radius", "length"),
+        "capsule": ("radius", "length"),
+    }
     given = [number(solid, key, solid.tag, log) for key in keys.get(solid.tag, ())]
     return tuple(value for value in given if value is not None) if None not in given else ()
 

@@ -1,4 +1,4 @@
-"""XML written for somebody else's parser, one element a line, so that its messages can be placed."""
+"""XML for somebody else's parser, one element a line, so that its messages can be placed."""
 
 from __future__ import annotations
 
