@@ -67,7 +67,7 @@ def _compiled(request: dict[str, Any]) -> dict[str, Any]:
         except ValueError as error:
             spec, answer = _parsed(request)  # the first one answers with its error from now on
             answer["refused"] = str(error)
-            _make_acceptable(spec)
+            answer["axes"] = _make_acceptable(spec)
             try:
                 model = spec.compile()
             except ValueError:
@@ -194,8 +194,11 @@ def _mesh_of(geom: Any, files: dict[str, Any], folder: str) -> dict[str, Any] | 
     return found
 
 
-def _make_acceptable(spec: Any) -> None:
-    """Masses, tensors and axes that MuJoCo takes: what the file states is judged elsewhere."""
+def _make_acceptable(spec: Any) -> dict[str, list[float]]:
+    """Masses, tensors and axes that MuJoCo takes: what the file states is judged elsewhere.
+
+    Returns the axes that are none, by joint.
+    """
     import numpy as np
 
     for body in spec.bodies:
@@ -207,9 +210,12 @@ def _make_acceptable(spec: Any) -> None:
             body.explicitinertial, body.ipos = True, [0.0, 0.0, 0.0]
         body.mass, body.inertia = 1.0, [1.0, 1.0, 1.0]
         body.fullinertia = [np.nan] * 6
+    axes = {}
     for joint in spec.joints:
         if not np.linalg.norm(joint.axis) > _LEAST_AXIS:
+            axes[joint.name] = _list(joint.axis)
             joint.axis = [0.0, 0.0, 1.0]
+    return axes
 
 
 def _weighs(geom: Any) -> bool:

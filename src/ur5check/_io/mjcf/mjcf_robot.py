@@ -317,7 +317,7 @@ class _Reader:
     ) -> None:
         name, subject = joint["name"], f"joint {joint['name']!r}"
         place = self.text.place(joint["line"], subject)
-        written, axis = _axis(joint["axis"])
+        written, axis = _axis(self.answer.get("axes", {}).get(name, joint["axis"]))
         anchor = Transform.translation(joint["anchor"])
         carried = anchor.inverse()
         ref = joint["ref"]

@@ -82,7 +82,7 @@ class _Reader:
         joints = [self._joint(name, *edges[name], answer["joints"][name]) for name in edges]
         if len(roots) > 1:
             shown = ", ".join(map(repr, roots[:6])) + (", …" if len(roots) > 6 else "")
-            places = [link.place for link in links if link.name in roots]
+            places = [link.place for link in links if link.name in roots and link.place.line]
             self.log.add(
                 "TRE103", "model", f"holds {len(roots)} separate trees, from {shown}", *places[:6],
                 value=len(roots), bound=1,
