@@ -34,7 +34,13 @@ def strict_arm(
             raise ModelError.of(finding)
     if robot is None:
         raise ModelError("describes no robot", fix="give a robot's description")
-    arm = arm_of_robot(robot, base=base, tip=tip)
+    try:
+        arm = arm_of_robot(robot, base=base, tip=tip)
+    except ModelError as error:
+        for finding in _impossible(robot):  # a rule says more of the same place
+            if finding.severity == "error" and finding.place.line == error.line:
+                raise ModelError.of(finding) from None
+        raise
     carried = [name for link in arm.links[:1] for name in robot.down(link.name)]
     parts = {f"link {name!r}" for name in carried} | {f"joint {j.name!r}" for j in arm.joints}
     for finding in _impossible(robot):

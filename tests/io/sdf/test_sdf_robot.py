@@ -41,7 +41,11 @@ PARTS = {
 
 
 def text_of(**parts: str) -> str:
-    return '<sdf version="1.9"><model name="two">\n' + "".join({**PARTS, **parts}.values()) + "</model></sdf>"
+    return (
+        '<sdf version="1.9"><model name="two">\n'
+        + "".join({**PARTS, **parts}.values())
+        + "</model></sdf>"
+    )
 
 
 def write(tmp_path, **parts):
