@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from kinematics_comparison import link_poses
 import ur5check
+from kinematics_comparison import link_poses
 from ur5check._errors import ModelError
 from ur5check._io.dh.dh_reader import read_dh, read_dh_robot
 from ur5check._io.dh.dh_writer import dh_toml_of

@@ -17,7 +17,7 @@ TWO_ARMS = f"""<mujoco model="two_arms">
   <compiler angle="degree"/>
   <default><joint armature="0.05" damping="1"/></default>
   <worldbody>
-    <body name="trunk" pos="0 0 1" euler="10 20 30">{BODY}<joint name="lift" type="slide" axis="0 0 1"/>
+    <body name="trunk" pos="0 0 1" euler="10 20 30">{BODY}<joint name="lift" type="slide"/>
       <frame pos="0 0.2 0" euler="0 0 40">
         <body name="left" pos="0.1 0 0">{BODY}<joint name="l1" axis="1 2 0" pos="0 0 0.1"/>
           <joint name="l2" axis="0 0 3" ref="30"/>
