@@ -178,12 +178,12 @@ class SdfText:
     def _model(self) -> tuple[XmlNode | None, XmlNode | None]:
         """The model with the most joints; another one is a finding, also where it has none."""
         world = child(self.root, "world")
-        owners = [self.root, *self.root.all("world")]
-        models = [(model, owner) for owner in owners for model in owner.all("model")]
+        holders = [self.root, *self.root.all("world")]
+        models = [(model, holder) for holder in holders for model in holder.all("model")]
         if not models:
             self.log.add("TRE105", "<sdf>", "holds no model", self.root.place())
             return world, None
-        model, owner = max(models, key=lambda pair: len(list(pair[0].all("joint"))))
+        model, holder = max(models, key=lambda pair: len(list(pair[0].all("joint"))))
         for other, above in models:
             if other is model:
                 continue
@@ -193,7 +193,7 @@ class SdfText:
             fix = "keep the arm's model alone"
             self.log.add("XML108", subject, problem, other.place(), severity=severity, fix=fix)
             above.children = [each for each in above.children if each is not other]
-        return (None if owner is self.root else owner), model
+        return (None if holder is self.root else holder), model
 
     def _named(self, tag: str) -> dict[str, XmlNode]:
         named: dict[str, XmlNode] = {}
