@@ -19,8 +19,8 @@ ROOT = Path(ur5check.__file__).parent
 #: lazily (`test_an_engine_is_imported_lazily_by_one_adapter`).
 ENGINES = {
     "pinocchio": {"_io/pinocchio_model.py"},
-    "mujoco": {"_io/mjcf/mjcf_reader.py"},
-    "pydrake": {"_io/sdf/sdf_reader.py"},
+    "mujoco": {"_io/mjcf/mjcf_process.py"},
+    "pydrake": {"_io/sdf/sdf_process.py"},
     "dartpy": set(),
     "idyntree": set(),
 }

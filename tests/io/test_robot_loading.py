@@ -43,7 +43,7 @@ def test_the_root_of_an_xml_says_its_format(tmp_path):
     urdf.write_text(arm.replace("</robot>", "<mujoco><compiler/></mujoco></robot>"))
     mjcf.write_text(FORMATS["mjcf"].write(load("paper")))
     assert [one.name for one in load_robot(urdf).links] == ["base", "arm", "box"]
-    assert len(load_robot(mjcf).links) == 7
+    assert len(load_robot(mjcf).links) == 9  # with the world and the tool
 
 
 def test_a_file_that_is_not_there_is_wrong_usage(tmp_path):

@@ -108,7 +108,9 @@ def run(args: argparse.Namespace) -> int:
         uncertainty=args.uncertainty,
     )
     explanation = None
-    if not args.quick:
+    if d.gravity_only:
+        say("tensors are unknown: only gravity torques are compared, and not explained")
+    elif not args.quick:
         if args.acceleration is None:
             args.acceleration = MAX_ACCELERATION
         explanation = explain(d, acceleration=args.acceleration, progress=say)

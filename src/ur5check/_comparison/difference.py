@@ -78,6 +78,11 @@ class Difference(Result):
         return bool((self.torques.maximum <= self.tolerance).all())
 
     @property
+    def gravity_only(self) -> bool:
+        """Whether tensors of an arm are unknown, so that the arms are compared at rest."""
+        return bool(self.pair.a.unknown_tensors or self.pair.b.unknown_tensors)
+
+    @property
     def agrees(self) -> bool:
         """Whether the torques agree, and all else that a joint's motion depends on is the same."""
         return self.same_torques and not any(other.moves_joints for other in self.others)
@@ -151,6 +156,9 @@ def compare(
     """`diff` on two arms at given states."""
     pair = pair_up(a, b)
     stated = None if uncertainty is None else read_uncertainty(uncertainty, pair.a, pair.given_b)
+    if a.unknown_tensors or b.unknown_tensors:
+        still = np.zeros_like(states.q)
+        states = States(states.q, still, still)
     tau_a = rnea(pair.a, states.q, states.qd, states.qdd)
     attribution = attribute(pair, states)
     return Difference(

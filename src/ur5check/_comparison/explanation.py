@@ -96,6 +96,8 @@ def explain(
     acceleration = number("acceleration", acceleration, positive=True)
     say = callback("progress", progress)
     pair, seed = difference.pair, difference.seed
+    for arm in (pair.a, pair.b):
+        arm.require_tensors("an explanation")
     few = _first(difference.states, _EVIDENCE)
     say("looking for known mistakes")
     diagnosis = diagnose(pair, few)

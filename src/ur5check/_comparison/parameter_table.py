@@ -38,6 +38,7 @@ class LinkParameters:
     b: Inertia
     reach_a: Array
     reach_b: Array
+    tensors_known: bool = True
 
     def rows(self) -> list[tuple[str, str, float, float]]:
         """The ten numbers of a link as files write them, side by side.
@@ -45,12 +46,12 @@ class LinkParameters:
         Returns
         -------
         list of (str, str, float, float)
-            Quantity, unit, value in a, value in b.
+            Quantity, unit, value in a, value in b; without the tensor where one is unknown.
         """
         rows = [("mass", "kg", self.a.mass, self.b.mass)]
         for axis, com_a, com_b in zip("xyz", self.a.com, self.b.com, strict=True):
             rows.append((f"centre of mass {axis}", "m", float(com_a), float(com_b)))
-        for entry in ("xx", "yy", "zz", "xy", "xz", "yz"):
+        for entry in ("xx", "yy", "zz", "xy", "xz", "yz") if self.tensors_known else ():
             where = ("xyz".index(entry[0]), "xyz".index(entry[1]))
             tensor_a, tensor_b = float(self.a.tensor[where]), float(self.b.tensor[where])
             rows.append((f"I{entry}", "kg m²", tensor_a, tensor_b))
@@ -97,6 +98,7 @@ def compare_parameters(pair: Pair) -> tuple[LinkParameters, ...]:
                 lb.inertia.expressed_in(to_source @ T),
                 to_source.R @ _reach(la),
                 to_source.R @ T.R @ _reach(lb),
+                la.tensor_known and lb.tensor_known,
             )
         )
     return tuple(rows)

@@ -22,7 +22,7 @@ from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of, joint_array
 from .chain_constants import Chain, chain_of
 from .kinematics import frames
-from .recursion import joint_torques
+from .recursion import joint_torques, require_rest
 from .vectors import ZERO, Scalar, Vector, plus
 
 __all__ = [
@@ -73,7 +73,7 @@ def mass_matrix(arm: ModelSource, q: ArrayLike) -> NDArray[Any]:
     >>> bool(abs(M - M.T).max() < 1e-14)
     True
     """
-    arm = as_arm_or_tree(arm)
+    arm = _with_tensors(arm, "the mass matrix")
     chain = chain_of(arm)
     return evaluate(arm, lambda state: _as_rows(mass_columns(chain, state)), (arm.n, arm.n), q)
 
@@ -114,7 +114,7 @@ def coriolis_matrix(arm: ModelSource, q: ArrayLike, qd: ArrayLike) -> NDArray[An
     >>> ur5check.coriolis_matrix("paper", [0.0] * 6, [0.1] * 6).shape
     (6, 6)
     """
-    arm = as_arm_or_tree(arm)
+    arm = _with_tensors(arm, "the Coriolis matrix")
     chain = chain_of(arm)
     return evaluate(
         arm, lambda state: _as_rows(_coriolis_columns(chain, state)), (arm.n, arm.n), q, qd
@@ -163,6 +163,7 @@ def bias_torque(
 ) -> NDArray[Any]:
     """C(q, q̇) q̇ + g(q), shape (..., n) [N m]: the torque of the motion without acceleration."""
     arm = as_arm_or_tree(arm)
+    require_rest(arm, qd)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q, qd)
@@ -231,7 +232,7 @@ def acceleration_of(arm: SerialArm | RobotTree, gravity: ArrayLike | None = None
     gravity as in `rnea`.  The function takes q, q̇ and τ of shape (n,) and raises StateError for
     arrays that are not finite or not of this shape, and where M cannot be inverted.
     """
-    n, chain = arm.n, chain_of(arm)
+    n, chain = arm.n, chain_of(_with_tensors(arm, "accelerations"))
     only_first = np.zeros(n + 1)
     only_first[0] = 1.0
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
@@ -289,7 +290,7 @@ def kinetic_energy(arm: ModelSource, q: ArrayLike, qd: ArrayLike) -> NDArray[Any
     >>> float(ur5check.kinetic_energy("paper", [0.0] * 6, [0.0] * 6))
     0.0
     """
-    arm = as_arm_or_tree(arm)
+    arm = _with_tensors(arm, "the kinetic energy")
     chain = chain_of(arm)
     return evaluate(arm, lambda state: [_kinetic(chain, state)], (), q, qd)
 
@@ -336,6 +337,14 @@ def potential_energy(
         return [-g.dot(moment)]
 
     return evaluate(arm, compute, (), q)
+
+
+def _with_tensors(model: ModelSource, what: str) -> SerialArm | RobotTree:
+    """The arm or tree, whose tensors must be known for `what`."""
+    arm = as_arm_or_tree(model)
+    if isinstance(arm, SerialArm):
+        arm.require_tensors(what)
+    return arm
 
 
 def mass_columns(chain: Chain, state: JointState) -> list[list[Scalar]]:

@@ -34,14 +34,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._robot.as_arm import ModelSource, as_arm_or_tree
+from .._robot.robot_tree import RobotTree
+from .._robot.serial_arm import SerialArm
 from .batching import JointState, evaluate, gravity_of
 from .chain_constants import Chain, LinkConstants, Rotation, chain_of
 from .vectors import ZERO, Scalar, Vector, plus, times
 
-__all__ = ["LinkMotion", "inward", "joint_torques", "outward", "rnea"]
+__all__ = ["LinkMotion", "inward", "joint_torques", "outward", "require_rest", "rnea"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +131,13 @@ def joint_torques(
     )
 
 
+def require_rest(arm: SerialArm | RobotTree, *motion: ArrayLike) -> None:
+    """Raise ModelError for a motion of an arm whose tensors are unknown: at rest they are not
+    needed."""
+    if isinstance(arm, SerialArm) and arm.unknown_tensors and any(np.any(x) for x in motion):
+        arm.require_tensors("torques of a motion")
+
+
 def rnea(
     arm: ModelSource,
     q: ArrayLike,
@@ -156,7 +166,7 @@ def rnea(
     ------
     InputError
         For an arm that cannot be read, or arrays of another shape, that do not broadcast, or with
-        entries that are not finite numbers.
+        entries that are not finite numbers; for a motion of an arm with unknown tensors.
 
     References
     ----------
@@ -170,6 +180,7 @@ def rnea(
     [-57.97, -14.48]
     """
     arm = as_arm_or_tree(arm)
+    require_rest(arm, qd, qdd)
     chain = chain_of(arm)
     g_0 = chain.inner_gravity(gravity_of(arm, gravity))
     return evaluate(arm, lambda state: joint_torques(chain, state, g_0), (arm.n,), q, qd, qdd)

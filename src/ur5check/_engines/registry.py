@@ -136,6 +136,8 @@ def make_engine(key: str, arm: ModelSource, gravity: ArrayLike | None = None) ->
     """
     make = engine_class(key)
     arm = as_arm_or_tree(arm)
+    if not isinstance(arm, RobotTree):  # which has every tensor
+        arm.require_tensors("an engine's model")
     g = gravity_of(arm, gravity)
     if isinstance(arm, RobotTree) and arm.followers and key != REFERENCE:
         return Constrained(make(arm.unconstrained, g), arm)

@@ -9,19 +9,21 @@ from __future__ import annotations
 
 import re
 from ast import literal_eval
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+
+import numpy as np
 
 from .._errors import ModelError
 from .._finding import Finding
-from .._robot.robot import Robot
+from .._robot.robot import Robot, RobotJoint, RobotLink
 from .._robot.serial_arm import SerialArm
 from .._rules import inertia_rules, joint_rules
 from .._rules.rule_subject import RuleSubject
 from .robot_arm import RobotDescription, arm_along
 from .urdf.urdf_chain import Chain
 
-__all__ = ["load_arm"]
+__all__ = ["judged_bodies", "load_arm"]
 
 #: Rules that a readable arm may break: no such robot can be built, but its torques can be computed.
 _IMPOSSIBLE = {"INE101", "INE102", "INE103", "JNT104", "JNT105", "JNT112"}
@@ -53,6 +55,8 @@ def load_arm(
     Raises ModelError for the first error that concerns the arm, or for what `arm_of_robot` refuses.
     """
     errors = [finding for finding in findings if finding.severity == "error"]
+    if robot is None and not errors:
+        raise ModelError("describes no robot", fix="give a robot's description")
     if robot is None:
         raise ModelError.of(errors[0])
     for finding in errors:
@@ -67,6 +71,11 @@ def load_arm(
             raise ModelError.of(finding)
     arm = arm_along(description, chain, strict=strict)
     return replace(arm, source=replace(arm.source, faults=concerning))
+
+
+def judged_bodies(links: Sequence[RobotLink], joints: Sequence[RobotJoint] = ()) -> list[Finding]:
+    """What is wrong with the bodies and axes alone, of a file whose tree could not be read."""
+    return _found_by_rules(Robot("", tuple(links), tuple(joints), "", "", np.zeros(3)))
 
 
 def _found_by_rules(robot: Robot) -> list[Finding]:

@@ -49,6 +49,7 @@ class ModelFormat:
         `ModelFile` and returns a `SerialArm`; a writer takes a `SerialArm` and returns text;
         `omissions` takes a `SerialArm` and lists what the text leaves out.  "" where there is none
     xml_root : root element by which a file called .xml is recognised, "" where it is not
+    tensors_needed : whether every link must have a tensor
     """
 
     kind: str
@@ -61,6 +62,7 @@ class ModelFormat:
     writer: str = ""
     omissions: str = ""
     xml_root: str = ""
+    tensors_needed: bool = True
 
     def read(self, file: ModelFile) -> SerialArm:
         """The arm in a file.
@@ -74,7 +76,12 @@ class ModelFormat:
         return arm
 
     def write(self, arm: SerialArm) -> str:
-        """The text of a file that describes the arm."""
+        """The text of a file that describes the arm.
+
+        Raises ModelError for unknown tensors, where the format must have them.
+        """
+        if self.tensors_needed:
+            arm.require_tensors(f"a model in {self.title}")
         return str(_function(self.writer)(arm))
 
     def left_out(self, arm: SerialArm) -> list[str]:

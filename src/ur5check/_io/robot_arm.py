@@ -18,6 +18,7 @@ from .arm_choice import choose_arm
 from .chain_assembly import assemble
 from .suggestions import did_you_mean
 from .urdf.urdf_chain import Chain, Edge, Tree
+from .world_body import chain_from_world
 
 __all__ = ["RobotDescription", "arm_along", "arm_of_robot"]
 
@@ -48,6 +49,7 @@ def arm_along(description: RobotDescription, chain: Chain, *, strict: bool = Tru
     """
     robot = description.robot
     moving = frozenset(edge.joint for edge in chain.moving)
+    description.check_unmodelled(chain)
     for name in description.hold:
         if name not in robot.joint or name in moving:
             beside = [
@@ -69,7 +71,7 @@ def arm_along(description: RobotDescription, chain: Chain, *, strict: bool = Tru
             base=chain.base,
             tip=chain.tip,
             held=description.held_beside(moving),
-            notes=parts.notes,
+            notes=(*robot.notes, *parts.notes),
         ),
     )
 
@@ -119,7 +121,9 @@ class RobotDescription:
                 shown = ", ".join(map(repr, choice.fingers[:6]))
                 shown += ", …" if choice.fingers[6:] else ""
                 notes += (f"the arm ends before its gripper ({shown})",)
-        return replace(self.tree.chain(base, tip), notes=notes)
+        in_world = robot.kind in ("mjcf", "sdf")
+        chain = chain_from_world(self.tree, base, tip) if in_world else self.tree.chain(base, tip)
+        return replace(chain, notes=notes)
 
     def _carrier(self, link: str) -> str:
         """The topmost link that a link is fixed to: a base may be a frame beside the arm."""
@@ -184,12 +188,12 @@ class RobotDescription:
         return tuple((name, value) for name, value in values if value != 0.0)
 
     def _held_at(self, joint: RobotJoint, moving: frozenset[str], seen: tuple[str, ...]) -> float:
-        """Where a joint beside the arm is held: as asked, where its <mimic> puts it, or at 0."""
+        """Where a joint beside the arm is held: as asked, as another joint has it, or at rest."""
         if joint.name in self.hold:
             return self.hold[joint.name]
         mimic = joint.mimic
         if mimic is None or joint.name in seen or mimic.joint not in self.robot.joint:
-            return 0.0
+            return joint.rest
         if mimic.joint in moving:
             problem = f"moves with joint {mimic.joint!r} of the arm, beside it: no serial chain"
             self.fail("joint", joint.name, " mimic", problem, "choose the arm without this joint")
@@ -197,6 +201,8 @@ class RobotDescription:
         return mimic.multiplier * followed + mimic.offset
 
     def inertia(self, link: str) -> Inertia | None:
+        if self.robot.link[link].between:
+            return Inertia.zero()
         inertial = self.robot.link[link].inertial
         if inertial is None:
             return None
@@ -223,6 +229,25 @@ class RobotDescription:
             element=f"{tag} {name!r}{part}",
             rule=rule,
         )
+
+    def check_unmodelled(self, chain: Chain) -> None:
+        """Refuse what acts on a joint of the chain, or between two of its links."""
+        moving = {edge.joint for edge in chain.moving}
+        mover: dict[str, str] = {}
+        for edge in chain.moving:
+            mover[edge.child] = edge.joint
+            for rigid in self.tree.rigid_group(edge.child, chain):
+                mover[rigid.child] = edge.joint
+        for one in self.robot.unmodelled:
+            if one.joints & moving or len({mover.get(link, "") for link in one.links}) > 1:
+                raise ModelError(
+                    one.problem,
+                    fix="choose --base and --tip so that it lies outside the arm, or remove it",
+                    file=one.place.file,
+                    line=one.place.line or None,
+                    element=one.what,
+                    rule="TRE106",
+                )
 
     def _several(self, chains: tuple[tuple[str, int], ...]) -> NoReturn:
         if not chains:

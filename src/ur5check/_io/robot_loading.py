@@ -14,9 +14,9 @@ from .._files import read_regular
 from .._finding import Finding
 from .._robot.robot import Robot
 from .._robot.serial_arm import SerialArm
+from .._rules.finding_log import FindingLog
 from .arm_names import tip_of_arm
 from .formats import format_by_suffix, format_of_text
-from .model_format import ModelFile, ModelFormat
 from .package_search import known_packages
 from .ros_packages import PackageMap
 from .shipped_models import SHIPPED_MODELS
@@ -35,7 +35,7 @@ class RobotReading:
     robot : None where the file describes none
     inputs : (name, SHA-256) of every file that was read
     base, tip : between which links the arm is taken: as asked, else a shipped model's own
-    arm : where the format's reader gives one chain only (DH tables, MJCF, SDF)
+    arm : of a DH table, which is nothing else
     packages : where package:// addresses lead;  folder : of the file
     """
 
@@ -110,8 +110,8 @@ def load_robot(
     Parameters
     ----------
     model : str or Path
-        A shipped model's name, or the path of a file.  URDF and xacro give the whole tree; of
-        MJCF, SDF and DH tables one chain is read.
+        A shipped model's name, or the path of a file.  Bodies of an MJCF are links, under the link
+        "world"; a DH table is a robot without branches.
     packages : mapping, optional
         Folders of ROS packages, by name.
     arguments : mapping, optional
@@ -160,7 +160,14 @@ def _read(
         return _xacro(here, arguments)
     if form.kind == "urdf":
         return _urdf(here, here.data, "urdf", here.inputs)
-    return _one_chain(here, form, base, tip)
+    if form.kind == "mjcf":
+        return _mjcf(here, (base, tip))
+    if form.kind == "sdf":
+        return _sdf(here)
+    for name, link in (("base", base), ("tip", tip)):
+        if link is not None:
+            raise UsageError(f"{name}= has no meaning for {form.noun}; leave it out")
+    return _dh(here)
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,6 +180,11 @@ class _File:
     @property
     def inputs(self) -> tuple[tuple[str, str], ...]:
         return ((self.label, hashlib.sha256(self.data).hexdigest()),)
+
+    def reading(self, robot: Robot | None, log: FindingLog) -> RobotReading:
+        findings, folder = tuple(log.findings), self.path.parent
+        inputs = self.inputs if robot is None else robot.inputs
+        return RobotReading(self.label, robot, findings, self.packages, folder, inputs)
 
     def nothing(self, *findings: Finding) -> RobotReading:
         return RobotReading(
@@ -217,20 +229,25 @@ def _xacro(file: _File, arguments: Mapping[str, str]) -> RobotReading:
     return _urdf(file, text, "xacro", expansion.inputs, expansion.places)
 
 
-def _one_chain(file: _File, form: ModelFormat, base: str | None, tip: str | None) -> RobotReading:
-    """Formats whose reader gives one chain, and stops at the first fault."""
-    from .robot_of_arm import robot_of_arm
+def _mjcf(file: _File, frames: tuple[str | None, ...]) -> RobotReading:
+    from .mjcf.mjcf_robot import read_mjcf_robot
 
-    try:
-        arm = form.read(ModelFile(file.path, file.label, file.data, base, tip))
-    except ModelError as error:
-        return file.nothing(error.finding)
-    return RobotReading(
-        file.label,
-        robot_of_arm(arm, file.label),
-        (),
-        file.packages,
-        file.path.parent,
-        arm.source.inputs or file.inputs,
-        arm,
-    )
+    log = FindingLog()
+    named = [name for name in frames if name is not None]
+    robot = read_mjcf_robot(file.data, file.label, file.path.parent, log, frames=named)
+    return file.reading(robot, log)
+
+
+def _sdf(file: _File) -> RobotReading:
+    from .sdf.sdf_robot import read_sdf_robot
+
+    log = FindingLog()
+    return file.reading(read_sdf_robot(file.data, file.label, log), log)
+
+
+def _dh(file: _File) -> RobotReading:
+    from .dh.dh_reader import read_dh_robot
+
+    log = FindingLog()
+    robot, arm = read_dh_robot(file.data, file.label, log)
+    return replace(file.reading(robot, log), arm=arm)

@@ -87,17 +87,20 @@ def contribution_in_words(contribution: Contribution) -> str:
 
 def _verdict(d: Difference) -> str:
     a, b = d.pair.a.label, d.pair.b.label
+    what, kind = "dynamics", "torques"
+    if d.gravity_only:
+        what, kind = "gravity torques (tensors are unknown)", "gravity torques"
     worst = int(d.torques.maximum.argmax())
     size = f"{d.torques.maximum[worst]:.3g} N m"
     joint = f"joint {worst + 1}, {d.pair.a.joints[worst].name}"
     if d.same_torques:
         same = f"no torque differs by more than {size}."
         if not d.others:
-            return f"{a} and {b} have the same dynamics: {same}"
+            return f"{a} and {b} have the same {what}: {same}"
         return f"{a} and {b} need the same torques, but are not the same: {same}"
     effort = d.torques.effort[worst]
     share = "" if np.isnan(effort) else f", {d.torques.share_of_effort()[worst]:.0%} of its limit"
-    return f"{a} and {b} need different torques: up to {size} apart ({joint}{share})."
+    return f"{a} and {b} need different {kind}: up to {size} apart ({joint}{share})."
 
 
 def _geometry(d: Difference) -> str:

@@ -67,11 +67,11 @@ class Model(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class InertiaValue(msgspec.Struct, frozen=True):
-    """Mass [kg], centre of mass [m], tensor about it [kg m²]."""
+    """Mass [kg], centre of mass [m], tensor about it [kg m²], null where it is unknown."""
 
     mass: float
     com: Vector3
-    tensor: Matrix3
+    tensor: Matrix3 | None
 
 
 class AlignmentValue(msgspec.Struct, frozen=True, kw_only=True):
@@ -141,7 +141,7 @@ def alignment_value(alignment: Alignment) -> AlignmentValue:
     )
 
 
-def inertia_value(inertia: Inertia) -> InertiaValue:
+def inertia_value(inertia: Inertia, tensor_known: bool) -> InertiaValue:
     """Mass, centre and tensor about the centre."""
-    tensor = [vector(row) for row in inertia.tensor]
+    tensor = [vector(row) for row in inertia.tensor] if tensor_known else None
     return InertiaValue(float(inertia.mass), vector(inertia.com), tensor)

@@ -119,7 +119,10 @@ def _tensors(arm: SerialArm) -> Table:
     rows = []
     for link in arm.links:
         own = link.inertia.expressed_in(link.source_frame.inverse())
-        cells = (figures(float(own.tensor[row, column])) for _, row, column in entries)
+        cells = (
+            figures(float(own.tensor[row, column])) if link.tensor_known else "unknown"
+            for _, row, column in entries
+        )
         rows.append(Row((link.name, *cells)))
     return Table(
         (Column("link"), *(Column(f"I{name}", number=True) for name, _, _ in entries)),

@@ -86,7 +86,7 @@ def show_json(arm: SerialArm, *, command: str = "") -> ShowReport:
                 link.name,
                 pose(link.link_tip_frame),
                 pose(link.source_frame),
-                inertia_value(link.inertia),
+                inertia_value(link.inertia, link.tensor_known),
             )
             for link in arm.links
         ],

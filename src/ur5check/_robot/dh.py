@@ -33,7 +33,7 @@ class DHRow:
     r : link vector, origin of frame i−1 to origin of frame i, in frame i, shape (3,) [m]; where it
         is given it replaces d and a (standard convention only), for listings that state it
         independently of them
-    inertia : in the DH frame i
+    inertia : in the DH frame i;  tensor_known : see `Link`
     armature, damping, friction : see `Joint`
     """
 
@@ -50,6 +50,7 @@ class DHRow:
     armature: float = 0.0
     damping: float = 0.0
     friction: float = 0.0
+    tensor_known: bool = True
 
     def standard_link_tip_frame(self) -> Transform:
         """P_i of the standard convention."""
@@ -109,7 +110,9 @@ def arm_from_dh(
         if tool is not None and i + 1 == len(rows):
             link_tip_frame, source_frame = link_tip_frame @ tool, tool.inverse()
             inertia = inertia.expressed_in(source_frame)
-        links.append(Link(row.link, link_tip_frame, inertia, source_frame))
+        links.append(
+            Link(row.link, link_tip_frame, inertia, source_frame, tensor_known=row.tensor_known)
+        )
     joints = [
         Joint(
             row.joint, np.array(_Z), row.kind, row.limits, row.armature, row.damping, row.friction

@@ -29,6 +29,7 @@ __all__ = [
     "RobotJoint",
     "RobotLink",
     "ShapeRef",
+    "Unmodelled",
 ]
 
 JointKind = Literal["revolute", "continuous", "prismatic", "fixed", "floating", "planar", "ball"]
@@ -43,9 +44,10 @@ class Inertial:
 
     mass : [kg];  xyz : centre of mass in the link's frame, shape (3,) [m]
     rpy : of the axes along which the entries are given, shape (3,) [rad]
-    entries : ixx … izz about the centre of mass, along these axes [kg m²]
+    entries : ixx … izz about the centre of mass, along these axes [kg m²]; none where the file
+        leaves the tensor open
     rounding : half a unit of the last digit that each entry prints [kg m²]; empty where the numbers
-        were computed, not printed
+        were computed, not printed: machine precision then
     places : where "mass", "origin", "inertia" and single entries are written
     """
 
@@ -79,6 +81,11 @@ class Inertial:
     def judged(self) -> BodyTest:
         """Whether a body can have it.  Only of a `readable` one."""
         return judge_body(self.mass, self.own_tensor, self.digits)
+
+    @property
+    def tensor_known(self) -> bool:
+        """Whether the file says anything of the tensor."""
+        return bool(self.entries)
 
     @cached_property
     def readable(self) -> bool:
@@ -117,12 +124,17 @@ class ShapeRef:
 
 @dataclass(frozen=True, eq=False)
 class RobotLink:
-    """A link; inertial : None where the file gives none."""
+    """A link.
+
+    inertial : None where the file gives none
+    between : whether it only stands between two joints of one body, as MJCF writes them
+    """
 
     name: str
     inertial: Inertial | None
     shapes: tuple[ShapeRef, ...] = ()
     place: Place = field(default_factory=Place)
+    between: bool = False
 
 
 @dataclass(frozen=True)
@@ -141,6 +153,7 @@ class RobotJoint:
     origin : pose of the joint's frame in the parent link's, at q = 0
     axis : unit vector in the joint's frame, shape (3,); written_axis : as the file has it
     carried : pose of the child's frame seen from the joint's moving side (identity in a URDF)
+    rest : position in the posture that the file describes [rad] or [m]
     rpy : the origin's angles as written, shape (3,) [rad]
     places : where "origin", "axis", "limit", "dynamics", "mimic" and single attributes are written
     """
@@ -159,6 +172,7 @@ class RobotJoint:
     friction: float = 0.0
     armature: float = 0.0
     mimic: Mimic | None = None
+    rest: float = 0.0
     place: Place = field(default_factory=Place)
     places: Mapping[str, Place] = field(default_factory=dict)
 
@@ -170,6 +184,21 @@ class RobotJoint:
     def at(self, part: str) -> Place:
         """Where a part is written; where the joint is, if that is not known."""
         return self.places.get(part, self.place)
+
+
+@dataclass(frozen=True, eq=False)
+class Unmodelled:
+    """What acts on the robot beside joints, weight and drives, and is in no torque computed here.
+
+    what : "equality 'weld'", "tendon 't'", "joint 'elbow' stiffness";  problem : as a clause
+    joints, links : on whose motion it acts: on a joint, or between the links
+    """
+
+    what: str
+    problem: str
+    joints: frozenset[str] = frozenset()
+    links: frozenset[str] = frozenset()
+    place: Place = field(default_factory=Place)
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,6 +221,10 @@ class Robot:
         Name and SHA-256 of every file that was read.
     urdf : str or None
         The URDF's text, after xacro expansion, for engines that bring their own parser.
+    unmodelled : tuple of Unmodelled
+        What acts on it beside its joints, weight and drives.
+    notes : tuple of str
+        Remarks of the reader for reports.
     """
 
     name: str
@@ -202,6 +235,8 @@ class Robot:
     gravity: Array
     inputs: tuple[tuple[str, str], ...] = ()
     urdf: str | None = None
+    unmodelled: tuple[Unmodelled, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @cached_property
     def link(self) -> Mapping[str, RobotLink]:

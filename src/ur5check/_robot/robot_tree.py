@@ -110,6 +110,8 @@ class RobotTree:
             joints, numbers that could not be read, and a mimic joint without a source.
         """
         instance("robot", robot, Robot, "see ur5check.load_robot")
+        for one in robot.unmodelled:
+            raise _refused(one.what, one.place.file, one.place.line, one.problem)
         placements = {_root(robot): (-1, Transform.identity())}
         moved: list[tuple[int, Transform, RobotJoint]] = []
         bodies: list[list[Inertia]] = []
@@ -271,6 +273,9 @@ def _inertia(link: RobotLink) -> Inertia:
         raise _refused(
             f"link {link.name!r}", link.place.file, link.place.line, "its inertia is not readable"
         )
+    if inertial.mass != 0.0 and not inertial.tensor_known:
+        place = link.place
+        raise _refused(f"link {link.name!r}", place.file, place.line, "its tensor is unknown")
     return inertial.inertia
 
 

@@ -161,6 +161,9 @@ class Link:
         table, P_i⁻¹ for a URDF.  Reports use it to show the numbers of the source.
     welded : tuple of (str, Inertia)
         Bodies fixed to the link that `inertia` contains, in frame i.
+    tensor_known : bool
+        False where the source gives mass and centre of mass only; the tensor of `inertia` is then
+        zero, and `SerialArm.require_tensors` keeps it from being used.
 
     Examples
     --------
@@ -176,6 +179,7 @@ class Link:
     inertia: Inertia
     source_frame: Transform = field(default_factory=Transform.identity)
     welded: tuple[tuple[str, Inertia], ...] = ()
+    tensor_known: bool = True
 
     @property
     def held_near(self) -> bool:
@@ -293,6 +297,25 @@ class SerialArm:
         """Names of the joints, from base to tip."""
         return tuple(joint.name for joint in self.joints)
 
+    @property
+    def unknown_tensors(self) -> tuple[str, ...]:
+        """Names of the links whose inertia tensor the source does not give."""
+        return tuple(link.name for link in self.links if not link.tensor_known)
+
+    def require_tensors(self, what: str) -> None:
+        """Raise ModelError where a tensor is unknown; what : that cannot be had without it."""
+        if not self.unknown_tensors:
+            return
+        links = ", ".join(map(repr, self.unknown_tensors))
+        raise ModelError(
+            f"the inertia tensors of {links} are unknown: only gravity torques can be had, not "
+            f"{what}",
+            fix="give the tensors, or ask for gravity_torque",
+            file=self.source.inputs[0][0] if self.source.inputs else None,
+            element=f"arm {self.label!r}",
+            rule="INE117",
+        )
+
     def parameters(self) -> Array:
         """The inertial parameters π of all links.
 
@@ -326,7 +349,8 @@ class SerialArm:
         if len(bodies) != self.n:
             raise UsageError(f"arm {self.name!r} has {self.n} links; give {self.n} inertias")
         links = tuple(
-            replace(link, inertia=inertia) for link, inertia in zip(self.links, bodies, strict=True)
+            replace(link, inertia=inertia, tensor_known=True)
+            for link, inertia in zip(self.links, bodies, strict=True)
         )
         return replace(self, links=links, source=self.source.as_value())
 

@@ -37,6 +37,28 @@ def _mass(s: RuleSubject) -> Iterator[Finding]:
             )  # fmt: skip
 
 
+def _unknown_tensors(s: RuleSubject) -> Iterator[Finding]:
+    unknown = [
+        (body, body.inertial)
+        for body in s.robot.links
+        if body.inertial is not None and not body.inertial.tensor_known
+    ]
+    if unknown:
+        shown = ", ".join(repr(body.name) for body, _ in unknown)
+        places = (inertial.place("inertia") for _, inertial in unknown)
+        yield finding_of(
+            "INE117", "robot", f"the inertia tensors of {shown} are unknown", *places,
+            value=len(unknown), bound=0,
+        )  # fmt: skip
+    for body, inertial in unknown:
+        if inertial.mass < 0.0:
+            problem = f"mass is negative, {inertial.mass:.4g} kg"
+            yield finding_of(
+                "INE101", subject_of(body), problem, inertial.place("mass"), value=inertial.mass,
+                bound=0.0, unit="kg",
+            )  # fmt: skip
+
+
 def _positive(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
         judged = inertial.judged
@@ -83,7 +105,7 @@ def _graver_if_heavy(inertial: Inertial) -> Severity | None:
 def _moving_groups(s: RuleSubject) -> Iterator[tuple[RobotLink, list[str]]]:
     """Links right after a moving joint, with all that is fixed to them."""
     for one in s.robot.joints:
-        if one.moves:
+        if one.moves and not s.robot.link[one.child].between:
             yield s.robot.link[one.child], list(s.robot.rigid(one.child))
 
 
@@ -264,5 +286,15 @@ RULES = (
         bad=robot(joint(), '<link name="arm"/>'), good=_GOOD,
         fix="use it for kinematics only, or add <inertial> to every link that moves",
         check=_kinematic_only,
+    ),
+    Rule(
+        "INE117", "tensor-unknown", "warning",
+        "every link has an inertia tensor",
+        "Data sheets give masses and centres of mass, and leave the tensors out.",
+        "gravity torques only: no mass matrix, no torque of a motion, no simulation",
+        bad="a DH table without the column inertia, or with zeros in it", good="a DH table with it",
+        fix="take tensors from CAD, or estimate them from the links' shapes",
+        check=_unknown_tensors,
+        example="words",
     ),
 )  # fmt: skip

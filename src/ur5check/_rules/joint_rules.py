@@ -184,6 +184,14 @@ def _mimic(s: RuleSubject) -> Iterator[Finding]:
                 )  # fmt: skip
 
 
+def _several_coordinates(s: RuleSubject) -> Iterator[Finding]:
+    for one in s.robot.joints:
+        if one.kind in ("floating", "planar", "ball"):
+            yield finding_of(
+                "JNT115", _subject(one), f"is {one.kind}: more than one coordinate", one.place
+            )
+
+
 _GOOD = robot()
 
 
@@ -321,5 +329,14 @@ RULES = (
         good=_GOOD,
         fix="let every joint follow the one that is driven",
         check=_mimic,
+    ),
+    Rule(
+        "JNT115", "several-coordinates", "note",
+        "every joint has one coordinate",
+        "Arms and trees are computed on a fixed base, with one angle or length a joint.",
+        "an arm or tree with this joint is not computed",
+        bad=robot(joint(kind="floating", axis="", limit=""), link()), good=_GOOD,
+        fix="choose --base and --tip beside it",
+        check=_several_coordinates,
     ),
 )  # fmt: skip

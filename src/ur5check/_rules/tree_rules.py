@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from .._finding import Finding
 from .examples import joint, link, robot
+from .finding_log import finding_of
 from .rule import Rule
+from .rule_subject import RuleSubject
 
 __all__ = ["RULES"]
 
 _GOOD = robot()
+
+
+def _unmodelled(s: RuleSubject) -> Iterator[Finding]:
+    for one in s.robot.unmodelled:
+        yield finding_of("TRE106", one.what, one.problem, one.place)
+
 
 RULES = (
     Rule(
@@ -70,5 +81,18 @@ RULES = (
         bad='<robot name="r"/>',
         good=_GOOD,
         fix="write links, and joints between them",
+    ),
+    Rule(
+        "TRE106",
+        "unmodelled",
+        "note",
+        "joints, weight and drives are all that acts on the robot",
+        "Constraints, tendons, springs, gravity compensation and fluids act in the simulator.",
+        "torques computed here are without it; an arm on which it acts is not computed",
+        bad="an MJCF whose finger is tied to another by an equality",
+        good="an MJCF of bodies and joints",
+        fix="remove it, or choose --base and --tip so that it lies outside the arm",
+        check=_unmodelled,
+        example="words",
     ),
 )

@@ -258,6 +258,8 @@ def _laws(
 ) -> tuple[ModelValidation | None, str]:
     if arm is None:
         return None, ""
+    if arm.unknown_tensors:
+        return None, "tensors are unknown, so that only gravity torques can be had"
     if robot.depth > DEEPEST:
         return (
             None,

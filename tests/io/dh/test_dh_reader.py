@@ -7,10 +7,14 @@ import math
 import numpy as np
 import pytest
 
+import ur5check
 from kinematics_comparison import link_poses
 from ur5check._errors import ModelError
-from ur5check._io.dh.dh_reader import read_dh
+from ur5check._io.dh.dh_reader import read_dh, read_dh_robot
+from ur5check._io.dh.dh_writer import dh_toml_of
+from ur5check._io.formats import FORMATS
 from ur5check._robot import Limits, SerialArm, Transform
+from ur5check._rules.finding_log import FindingLog
 
 GOOD = """\
 schema = "ur5check.dh/1"
@@ -154,8 +158,6 @@ FAULTS = [
     ("indefinite", "ixy = 0.001", "ixy = 0.1", 16, "joint 1 (shoulder) inertia",
      ["not positive definite"]),
     ("triangle", "izz = 0.04", "izz = 0.06", 16, "joint 1 (shoulder) inertia", ["triangle"]),
-    ("point mass", TENSOR, "{ ixx = 0, iyy = 0, izz = 0 }", 16, "joint 1 (shoulder) inertia",
-     ["not positive definite"]),
     ("negative mass", "mass = 2.5", "mass = -2.5", 14, "joint 1 (shoulder) mass", ["negative"]),
     ("tensor alone", "mass = 2.5", "mass = 0", 14, "joint 1 (shoulder) mass", ["mass is zero"]),
     ("limits", LIMITS, "limits = 3", 17, "joint 1 (shoulder) limits", ["not a table"]),
@@ -221,3 +223,45 @@ def test_r_has_no_meaning_under_the_modified_convention() -> None:
 def test_bytes_that_are_no_text_are_refused() -> None:
     with pytest.raises(ModelError, match=r"two\.toml:2: the file is not UTF-8"):
         read_dh(b'schema = "x"\nname = "\xff"\n', file="two.toml")
+
+
+@pytest.mark.parametrize("tensor", ["", "inertia = { ixx = 0, iyy = 0.0, izz = 0 }"])
+def test_a_tensor_left_out_or_zero_is_unknown(tensor: str) -> None:
+    arm = changed(f"inertia = {TENSOR}", tensor)
+    assert arm.unknown_tensors == ("upper",)
+    known = read(GOOD)
+    q, rest = [0.3, 0.1], [0.0, 0.0]
+    expected = ur5check.gravity_torque(known, q)
+    np.testing.assert_array_equal(ur5check.gravity_torque(arm, q), expected)
+    np.testing.assert_array_equal(ur5check.rnea(arm, q, rest, rest), expected)
+    for needs_it in (
+        lambda: ur5check.rnea(arm, q, [1.0, 0.0], rest),
+        lambda: ur5check.mass_matrix(arm, q),
+        lambda: ur5check.forward_dynamics(arm, q, rest, rest),
+        lambda: ur5check.validate(arm, samples=5),
+        lambda: ur5check.compile(arm).rnea(np.zeros((1, 2)), np.zeros((1, 2)), np.zeros((1, 2))),
+        lambda: urdf_of_format(arm),
+    ):
+        with pytest.raises(ModelError, match="'upper'") as caught:
+            needs_it()
+        assert caught.value.rule == "INE117"
+    difference = ur5check.diff(arm, known, samples=20)
+    assert difference.gravity_only
+    assert difference.agrees
+    assert read(dh_toml_of(arm)).unknown_tensors == ("upper",)
+
+
+def urdf_of_format(arm: SerialArm) -> str:
+    return FORMATS["urdf"].write(arm)
+
+
+def test_all_faults_of_a_sheet_are_found_in_one_run() -> None:
+    text = GOOD.replace('alpha = "pi/2"', "alpha = 90").replace("a = -0.4", "a = -425")
+    text = text.replace("mass = 2.5", "mass = -2.5").replace("offset = ", "offest = ")
+    log = FindingLog()
+    assert read_dh_robot(text.encode(), "two.toml", log) == (None, None)
+    lines = text.splitlines()
+    found = {(f.rule, lines[f.place.line - 1].split(" ")[0]) for f in log.findings}
+    assert found == {
+        ("JNT110", "alpha"), ("XML100", "a"), ("INE101", "mass"), ("XML100", "offest")
+    }  # fmt: skip

@@ -89,6 +89,8 @@ def trace(
     """
     arm, recipe = as_arm(arm), _recipe(quantity)
     choice("parameters", parameters, ("numeric", "symbolic"))
+    if parameters == "numeric" and quantity not in ("g", "regressor"):
+        arm.require_tensors(recipe.text)
     tries = None if tries is None else integer("tries", tries, least=0)
     graph = Graph()
     symbols = Symbols(graph)
@@ -145,6 +147,8 @@ def trace_difference(a: SerialArm, b: SerialArm) -> Program:
     """
     if a.n != b.n:
         raise UsageError(f"arm {a.name!r} has {a.n} joints and {b.name!r} has {b.n}")
+    for arm in (a, b):
+        arm.require_tensors("torques of a motion")
     graph = Graph()
     if _same_kinematics(a, b):
         gravity = Vector.of(a.gravity)

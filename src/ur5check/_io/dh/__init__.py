@@ -12,5 +12,6 @@ FORMAT = ModelFormat(
     purpose="tables of papers and data sheets",
     options=(),
     reader=".dh.dh_reader:read_dh_file",
+    tensors_needed=False,
     writer=".dh.dh_writer:dh_toml_of",
 )

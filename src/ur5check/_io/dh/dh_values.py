@@ -40,7 +40,14 @@ class Table:
         self.name = name
         self.file, self._text, self._row, self._key = file, text, row, key
 
-    def fail(self, key: str | None, problem: str, fix: str, value: object = None) -> NoReturn:
+    def fail(
+        self,
+        key: str | None,
+        problem: str,
+        fix: str,
+        value: object = None,
+        rule: str = "XML100",
+    ) -> NoReturn:
         raise ModelError(
             problem,
             fix=fix,
@@ -48,6 +55,7 @@ class Table:
             line=self.line(key),
             element=" ".join(part for part in (self.name, key) if part) or None,
             value=value,
+            rule=rule,
         )
 
     def line(self, key: str | None) -> int | None:
@@ -55,16 +63,23 @@ class Table:
 
     def refuse_unknown_keys(self, known: Collection[str]) -> None:
         for key in self.values:
-            if key not in known:
-                self.fail(key, "is no key of this format", did_you_mean(key, known))
+            self.refuse_unknown_key(key, known)
+
+    def refuse_unknown_key(self, key: str, known: Collection[str]) -> None:
+        if key not in known:
+            self.fail(key, "is no key of this format", did_you_mean(key, known))
 
     def require(self, *keys: str) -> None:
         for key in keys:
             if key not in self.values:
-                self.fail(key, "is missing", f"write {key} = …")
+                self.fail(key, "is missing", f"write {key} = …", rule="XML104")
+
+    def _given(self, key: str) -> Any:
+        self.require(key)
+        return self.values[key]
 
     def text(self, key: str, *, choices: Collection[str] | None = None) -> str:
-        value = self.values[key]
+        value = self._given(key)
         if not isinstance(value, str) or not value.strip():
             self.fail(key, "is not a text", f'write {key} = "…"', value)
         if choices is not None and value not in choices:
@@ -72,7 +87,7 @@ class Table:
         return value
 
     def number(self, key: str) -> float:
-        return self._number(key, self.values[key])
+        return self._number(key, self._given(key))
 
     def length(self, key: str) -> float:
         """[m]"""
@@ -80,7 +95,7 @@ class Table:
 
     def angle(self, key: str) -> float:
         """[rad], from a number or from a text such as "-3*pi/4"."""
-        value = self.values[key]
+        value = self._given(key)
         if isinstance(value, str):
             match = _PI.fullmatch(value.strip())
             if match is None or (match[3] is not None and float(match[3]) == 0.0):
@@ -92,11 +107,11 @@ class Table:
             angle = self.number(key)
         if abs(angle) > 2 * math.pi:
             problem = "is beyond a full turn: it looks like degrees"
-            self.fail(key, problem, "write radians", value)
+            self.fail(key, problem, "write radians", value, rule="JNT110")
         return angle
 
     def vector(self, key: str, *, metres: bool) -> tuple[float, float, float]:
-        value = self.values[key]
+        value = self._given(key)
         if not isinstance(value, list):
             self.fail(key, "is not a list of three numbers", f"write {key} = [x, y, z]", value)
         numbers = [self._number(key, entry) for entry in value]
@@ -127,14 +142,15 @@ class Table:
 
     def _number(self, key: str, value: object) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
-            self.fail(key, "is not a number", "write a number, without quotes", value)
+            self.fail(key, "is not a number", "write a number, without quotes", value, "XML103")
         if not isinstance(value, Printed):
             try:
                 value = Printed(str(value))
             except (ValueError, OverflowError):
-                self.fail(key, "is larger than a double can hold", "write a finite number")
+                fix = "write a finite number"
+                self.fail(key, "is larger than a double can hold", fix, rule="XML103")
         if not math.isfinite(value):
-            self.fail(key, "is not finite", "write a finite number", float(value))
+            self.fail(key, "is not finite", "write a finite number", float(value), "XML103")
         return value
 
     def _length(self, key: str, metres: float) -> float:

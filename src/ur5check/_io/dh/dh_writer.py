@@ -88,8 +88,8 @@ def _row(joint: Joint, link: Link, *, by_hand: bool) -> list[str]:
     lines += [
         f"mass = {exact(link.inertia.mass)}",
         f"com = {_list(link.inertia.com)}",
-        f"inertia = {_table(written)}",
     ]
+    lines += [f"inertia = {_table(written)}"] if link.tensor_known else []
     motor = ("armature", "damping", "friction")
     lines += [f"{key} = {exact(value)}" for key in motor if (value := getattr(joint, key))]
     names = ("lower", "upper", "velocity", "effort")

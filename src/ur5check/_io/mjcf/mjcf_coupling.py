@@ -1,107 +1,82 @@
-"""Couplings across the joints of an MJCF model: constraints, tendons, actuators.
+"""Couplings across the joints of an MJCF model: constraints, tendons, actuators, as plain data.
 
-The joints of a serial chain are independent. A constraint or tendon that couples one of them to
-another body is refused; one between bodies that do not move relative to each other, as in a locked
-gripper, has no effect. Actuators give effort limits, and may add the inertia of their motor.
+Actuators give effort limits, and may add the inertia of their motor.  An equality of two joints
+that is linear makes one follow the other.  Every other active constraint, and every tendon that
+pulls by itself, is named with what it couples.  Run in MuJoCo's process.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
-from ..._errors import ModelError
-from ..urdf.urdf_chain import Chain
-from .mjcf_bodies import Bodies
-from .mjcf_text import MjcfText
-
-__all__ = ["Coupling", "Motor", "couplings", "motors", "refuse_couplings"]
-
-_FIX = "choose base= and tip= so that it lies outside the arm, or remove it"
+__all__ = ["couplings", "motors"]
 
 
-@dataclass(frozen=True)
-class Coupling:
-    """A constraint or tendon.  joints, bodies : those that it couples."""
+def couplings(spec: Any) -> list[dict[str, Any]]:
+    """Every active constraint, and every tendon that pulls by itself.
 
-    what: str
-    place: tuple[str, int | None]
-    joints: frozenset[str]
-    bodies: frozenset[str]
-
-
-@dataclass(frozen=True)
-class Motor:
-    """The sum of all actuators of one joint.
-
-    effort : their largest effort in both directions; None where that is not one number
-    armature, damping : of the motors, seen through their gears
+    what, line : its name and place;  joints, bodies : that it couples
+    mimic : [joint, followed joint, factor, offset of their distances from `ref`], or None
     """
-
-    effort: float | None
-    armature: float
-    damping: float
-
-
-def couplings(spec: Any, text: MjcfText) -> list[Coupling]:
-    """Every active constraint, and every tendon that pulls by itself."""
     sites = {site.name: site.parent.name for site in spec.sites}
     geoms = {geom.name: geom.parent.name for geom in spec.geoms}
     tied = {tendon.name: _along(tendon, sites, geoms) for tendon in spec.tendons}
-    found = []
+    found: list[dict[str, Any]] = []
     for tendon in spec.tendons:
         losses = (tendon.stiffness, tendon.damping, tendon.frictionloss, tendon.armature)
         if any(_any(value) for value in losses):
-            what = f"tendon {tendon.name!r}"
-            found.append(Coupling(what, text.place(tendon.info), *tied[tendon.name]))
+            joints, bodies = tied[tendon.name]
+            found.append(_coupling(f"tendon {tendon.name!r}", tendon.info, joints, bodies))
     for constraint in spec.equalities:
         if not constraint.active:
             continue
         kind = constraint.type.name.removeprefix("mjEQ_").lower()
         names = [name for name in (constraint.name1, constraint.name2) if name]
-        joints: frozenset[str] = frozenset()
-        bodies: frozenset[str] = frozenset()
+        joints, bodies, mimic = set[str](), set[str](), None
         if kind == "joint":
-            joints = frozenset(names)
+            joints = set(names)
+            mimic = _mimic(spec, names, [float(c) for c in constraint.data[:5]])
         elif kind == "tendon":
             for name in names:
-                more = tied.get(name, (frozenset(), frozenset()))
+                more = tied.get(name, (set[str](), set[str]()))
                 joints, bodies = joints | more[0], bodies | more[1]
         else:
             by_site = constraint.objtype.name == "mjOBJ_SITE"
-            bodies = frozenset(sites.get(name, name) if by_site else name for name in names)
-            bodies |= frozenset(["world"] if len(names) < 2 else [])
+            bodies = {sites.get(name, name) if by_site else name for name in names}
+            bodies |= {"world"} if len(names) < 2 else set()
         what = f"equality {constraint.name or kind!r}"
-        found.append(Coupling(what, text.place(constraint.info), joints, bodies))
+        found.append(_coupling(what, constraint.info, joints, bodies, mimic))
     return found
 
 
-def refuse_couplings(found: list[Coupling], bodies: Bodies, chain: Chain) -> None:
-    """Raise ModelError for the first that couples a joint of the chain, or two of its links."""
-    moving = {edge.joint for edge in chain.moving}
-    carrier: dict[str, str] = {}
-    for edge in chain.moving:
-        carrier[edge.child] = edge.joint
-        for rigid in bodies.tree.rigid_group(edge.child, chain):
-            carrier[rigid.child] = edge.joint
-    for coupling in found:
-        tied = sorted(coupling.joints & moving)
-        groups = {carrier.get(body, "") for body in coupling.bodies}
-        if tied or len(groups) > 1:
-            named = tied or sorted(groups - {""})
-            shown = ", ".join(map(repr, named))
-            file, line = coupling.place
-            raise ModelError(
-                f"acts on the arm's joints beside their own motion ({shown}): no serial chain",
-                fix=_FIX,
-                file=file,
-                line=line,
-                element=coupling.what,
-            )
+def _coupling(
+    what: str, line: str, joints: set[str], bodies: set[str], mimic: list[Any] | None = None
+) -> dict[str, Any]:
+    return {
+        "what": what,
+        "line": line,
+        "joints": sorted(joints),
+        "bodies": sorted(bodies),
+        "mimic": mimic,
+    }
 
 
-def motors(spec: Any) -> dict[str, Motor]:
-    """Efforts and motor inertias of each joint, from actuators and `actuatorfrcrange`."""
+def _mimic(spec: Any, names: list[str], coefficients: list[float]) -> list[Any] | None:
+    """y − y₀ = a₀ + a₁ (x − x₀) + a₂ (x − x₀)² + …, where only a₀ and a₁ are not zero."""
+    known = {joint.name: joint.type.name for joint in spec.joints}
+    scalar = all(known.get(name) in ("mjJNT_HINGE", "mjJNT_SLIDE") for name in names)
+    if len(names) != 2 or names[0] == names[1] or not scalar or any(coefficients[2:]):
+        return None
+    return [*names, coefficients[1], coefficients[0]]
+
+
+def motors(spec: Any) -> dict[str, dict[str, Any]]:
+    """Of each joint, the sum of all its actuators.
+
+    effort : their largest in both directions, from the actuators and `actuatorfrcrange`; None where
+        that is not one number;  line : of the actuator that it comes from, "" for the joint itself
+    armature, damping : of the motors, seen through their gears
+    """
     through_tendons = {
         wrap.target.name
         for tendon in spec.tendons
@@ -115,20 +90,21 @@ def motors(spec: Any) -> dict[str, Motor]:
             for actuator in spec.actuators
             if actuator.target == joint.name and "JOINT" in actuator.trntype.name
         ]
-        effort = _both_ways(joint.actfrcrange, joint.actfrclimited)
+        effort, line = _both_ways(joint.actfrcrange, joint.actfrclimited), ""
         if effort is None and len(at_joint) == 1 and joint.name not in through_tendons:
-            effort = _strength(at_joint[0])
-        found[joint.name] = Motor(
-            effort,
-            sum(float(a.gear[0] ** 2 * a.armature) for a in at_joint),
-            sum(float(a.gear[0] ** 2 * a.damping[0]) for a in at_joint),
-        )
+            effort, line = _strength(at_joint[0]), at_joint[0].info
+        found[joint.name] = {
+            "effort": effort,
+            "line": line,
+            "armature": sum(float(a.gear[0] ** 2 * a.armature) for a in at_joint),
+            "damping": sum(float(a.gear[0] ** 2 * a.damping[0]) for a in at_joint),
+        }
     return found
 
 
-def _along(tendon: Any, sites: dict[str, str], geoms: dict[str, str]) -> tuple[Any, Any]:
+def _along(tendon: Any, sites: dict[str, str], geoms: dict[str, str]) -> tuple[set[str], set[str]]:
     """Joints and bodies that a tendon passes."""
-    joints, bodies = set(), set()
+    joints, bodies = set[str](), set[str]()
     for wrap in tendon.path:
         if wrap.type.name == "mjWRAP_JOINT":
             joints.add(wrap.target.name)
@@ -136,7 +112,7 @@ def _along(tendon: Any, sites: dict[str, str], geoms: dict[str, str]) -> tuple[A
             bodies.add(sites.get(wrap.target.name, ""))
         elif wrap.type.name != "mjWRAP_PULLEY":
             bodies.add(geoms.get(wrap.target.name, ""))
-    return frozenset(joints), frozenset(bodies)
+    return joints, bodies
 
 
 def _any(value: Any) -> bool:

@@ -1,9 +1,7 @@
-"""An MJCF file and its included files as one text, in which every element keeps its place.
+"""An MJCF file with its included files as one tree of elements, in which each keeps its place.
 
-MuJoCo reads the text; what it tolerates is refused here first: a document type, numbers that are
-not finite (MuJoCo only warns), a swapped range (MuJoCo ignores the range).
-Files other than
-included ones are not read: an arm is determined by the files that were read and hashed.
+What MuJoCo tolerates is found here: a document type, and numbers that are not finite (MuJoCo only
+warns).  What makes bodies by other means than `<body>` is left out, and said.
 """
 
 from __future__ import annotations
@@ -11,37 +9,28 @@ from __future__ import annotations
 import hashlib
 import re
 from pathlib import Path, PurePosixPath
-from typing import NoReturn
 
-from lxml import etree
-
-from ..._errors import ModelError
 from ..._files import read_regular
-from ..inertia_checks import Place, check_inertia, printed_tensor
-from ..xml.safe_xml import checked_root
-from ..xml.xml_numbers import Element, ElementReader
-from ..xml.xml_places import Places
+from ..._finding import Place
+from ..._rules.finding_log import FindingLog
+from ..printed_numbers import plain_number
+from ..xml.lined_text import LinedText
+from ..xml.xml_numbers import xml_words
+from ..xml.xml_tree import XmlError, XmlNode, parse_xml
 
-__all__ = ["MjcfText"]
+__all__ = ["MjcfText", "numbers"]
 
+_TURNS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
 _NUMBERS = {
-    "body": ("pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "gravcomp"),
-    "frame": ("pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"),
-    "inertial": ("pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "mass", "diaginertia",
-                 "fullinertia"),
+    "body": ("pos", *_TURNS, "gravcomp"),
+    "frame": ("pos", *_TURNS),
+    "inertial": ("pos", *_TURNS, "mass", "diaginertia", "fullinertia"),
     "joint": ("pos", "axis", "range", "actuatorfrcrange", "ref", "armature", "damping",
               "frictionloss", "stiffness"),
-    "geom": ("pos", "quat", "size", "mass", "density", "fromto"),
+    "geom": ("pos", *_TURNS, "size", "mass", "density", "fromto"),
     "option": ("gravity", "density", "viscosity", "wind"),
 }  # fmt: skip
-#: Attributes whose product is the number of entries that an element unfolds into.
-_SIZES = {"hfield": ("nrow", "ncol"), "texture": ("width", "height")}
-_MOST_ENTRIES = 1_000_000
-#: Elements that all <replicate>s make; MuJoCo's time to remove so many shapes again is seconds.
-_MOST_REPLICATED = 2_000
-
-_RANGES = ("range", "actuatorfrcrange", "ctrlrange", "forcerange")
-_NO_BODIES = {
+_NOT_READ = {
     "composite": "makes many bodies",
     "flexcomp": "is soft",
     "flex": "is soft",
@@ -49,162 +38,125 @@ _NO_BODIES = {
     "model": "names another file",
     "plugin": "is code",
 }
-_LINE = re.compile(r"\bline (\d+)")
+#: What an element unfolds into: the product of these attributes, and of the counts around it.
+_SIZES = {
+    "replicate": ("count",),
+    "hfield": ("nrow", "ncol"),
+    "texture": ("width", "height"),
+}
 
 
 class MjcfText:
-    """read : (name, bytes) of every file, the given one first."""
+    """text : for MuJoCo;  inputs : (name, SHA-256) of every file that was read, the given one first
 
-    def __init__(self, data: bytes, *, file: str, folder: Path) -> None:
-        self.file, self.folder = file, folder
-        self.read: list[tuple[str, bytes]] = []
-        # Elements of included files; keeping them keeps lxml from making new objects for them.
-        self._homes: dict[Element, str] = {}
-        root = self._parsed(data, file)
-        if root.tag != "mujoco":
-            fix = "an MJCF file's root is <mujoco>, a URDF's is <robot>"
-            self.fail(root, f"<{root.tag}>", "the root element is not MJCF's", fix, root.tag)
-        for include in list(root.iter("include")):
-            self._splice(include)
-        self.root = root
-        self._check_elements()
+    Raises XmlError where the given file is no XML.
+    """
+
+    def __init__(self, data: bytes, *, file: str, folder: Path, log: FindingLog) -> None:
+        self.file, self.folder, self.log = file, folder, log
+        self.inputs: list[tuple[str, str]] = []
+        self.root = self._parsed(data, file)
+        self._splice(self.root)
+        self._check(self.root)
         # Memory reserved for the user's data or the simulation: no part of the model.
-        for node in list(root.iterchildren("size")):
-            root.remove(node)
-        self._places = Places(root)
-        self.text = self._places.text
+        self.root.children = [node for node in self.root.children if node.tag != "size"]
+        self._lines = LinedText(self.root)
+        self.text = self._lines.text
 
-    @property
-    def inputs(self) -> tuple[tuple[str, str], ...]:
-        """(name, SHA-256) of every file that was read."""
-        return tuple((name, hashlib.sha256(data).hexdigest()) for name, data in self.read)
+    def node(self, line: str) -> XmlNode | None:
+        """The element at "line 12" in what MuJoCo says."""
+        return self._lines.at(line)
 
-    def fail(
-        self, node: Element, element: str | None, problem: str, fix: str, value: object = None
-    ) -> NoReturn:
-        """Raise ModelError at an element, in the file where it stands."""
-        ElementReader(self._home(node)).fail(node, element, problem, fix, value)
+    def place(self, line: str, element: str = "") -> Place:
+        """Where the element at a line of MuJoCo's is written."""
+        node = self.node(line)
+        return Place(self.file, element=element) if node is None else node.place(None, element)
 
-    def place(self, info: str) -> tuple[str, int | None]:
-        """File and line of "line 12" in a message of MuJoCo."""
-        found = _LINE.search(info)
-        node = self._places.at(int(found[1])) if found else None
-        return (self.file, None) if node is None else (self._home(node), node.sourceline)
+    def largest(self) -> tuple[XmlNode, float]:
+        """The element that unfolds into the most entries, and how many."""
+        found, most = self.root, 1.0
+        stack = [(self.root, 1.0)]
+        while stack:
+            node, around = stack.pop()
+            size = around
+            for attribute in _SIZES.get(node.tag, ()):
+                size *= _count(node.get(attribute))
+            if size > most:
+                found, most = node, size
+            stack += [(child, size if node.tag == "replicate" else 1.0) for child in node.children]
+        return found, most
 
-    def warnings_of_mujoco(self, error: Exception) -> ModelError:
-        """MuJoCo's error as a ModelError."""
-        file, line = self.place(str(error))
-        first, *rest = str(error).strip().splitlines()
-        problem = re.sub(r"^((XML )?Error: )+", "", first)
-        element = re.search(r"Element (?:name )?'([^']+)'", " ".join(rest))
-        fix = "correct it by MuJoCo's XML reference"
-        if "mjMINVAL" in problem:
-            fix = "give the body an <inertial>, or shapes with mass"
-        return ModelError(
-            f"MuJoCo cannot take it: {problem}",
-            fix=fix,
-            file=file,
-            line=line,
-            element=f"{element[1]!r}" if element else None,
-        )
+    def _parsed(self, data: bytes, file: str) -> XmlNode:
+        self.inputs.append((file, hashlib.sha256(data).hexdigest()))
+        return parse_xml(data, file)
 
-    def bytes_of(self, name: str, wanted_by: str) -> bytes:
-        """A file beside the model, read once and remembered.  wanted_by : for the error."""
-        try:
-            data = read_regular(self.folder / name)
-        except OSError as error:
-            problem = f"needs {name!r}, which cannot be read: {error.strerror}"
-            fix = "put the file there, or give every moving body an <inertial>"
-            raise ModelError(problem, fix=fix, file=self.file, element=wanted_by) from None
-        self.read.append((name, data))
-        return data
+    def _splice(self, node: XmlNode) -> None:
+        """Replace every `<include>` below by the included file's elements, as MuJoCo does."""
+        children = []
+        for child in node.children:
+            if child.tag == "include":
+                children += self._included(child)
+            else:
+                self._splice(child)
+                children.append(child)
+        node.children = children
 
-    def _parsed(self, data: bytes, file: str) -> Element:
-        self.read.append((file, data))
-        return checked_root(data, file)
-
-    def _splice(self, include: Element) -> None:
-        """Replace `<include>` by the included file's elements, as MuJoCo does."""
-        name = include.get("file")
+    def _included(self, include: XmlNode) -> list[XmlNode]:
+        name = include.get("file") or ""
+        place = include.place("file" if name else None, "<include> file")
         if not name:
-            self.fail(include, "<include>", "names no file", 'write <include file="…"/>')
-        # MuJoCo looks from the folder of the main file, wherever the <include> itself stands.
-        if any(name == known for known, _ in self.read):
-            self.fail(include, "<include>", "is read already", "include a file once", name)
-        try:
-            data = read_regular(self.folder / PurePosixPath(name))
-        except (OSError, ValueError):
-            fix = "put it there: paths start from the folder of the main file"
-            self.fail(include, "<include> file", "cannot be read", fix, name)
-        inner = self._parsed(data, name)
-        for node in inner.iter(etree.Element):
-            self._homes[node] = name
-        deeper = list(inner.iter("include"))
-        parent = include.getparent()
-        at = parent.index(include)
-        for offset, child in enumerate(list(inner)):
-            parent.insert(at + offset, child)
-        parent.remove(include)
-        for node in deeper:
-            self._splice(node)
+            self.log.add("XML104", "<include>", "names no file", place)
+        elif any(name == known for known, _ in self.inputs):
+            # MuJoCo allows one only, which also keeps files from including each other for ever.
+            problem = f"{name!r} is read already: a file is included once"
+            self.log.add("XML100", "<include>", problem, place, value=name)
+        else:
+            try:
+                # MuJoCo looks from the main file's folder, wherever the <include> itself stands.
+                inner = self._parsed(read_regular(self.folder / PurePosixPath(name)), name)
+            except (OSError, ValueError):
+                problem = f"the file {name!r} cannot be read"
+                fix = "put it there: paths start from the folder of the main file"
+                self.log.add("XML100", "<include> file", problem, place, value=name, fix=fix)
+            except XmlError as error:
+                place = Place(name, error.line, error.column)
+                self.log.add("XML101", "<include>", error.problem, place)
+            else:
+                self._splice(inner)
+                return inner.children
+        return []
 
-    def _home(self, node: Element) -> str:
-        return self._homes.get(node, self.file)
-
-    def _check_elements(self) -> None:
-        replicated = 0.0
-        for node in self.root.iter(etree.Element):
-            if next(node.iterancestors("replicate"), None) is not None:
-                replicated += _repeats(node)
-            if replicated > _MOST_REPLICATED:
-                around = next(node.iterancestors("replicate"))
-                problem = f"makes {replicated:,.0f} elements, more than {_MOST_REPLICATED:,}"
-                self.fail(around, "<replicate>", problem, "lower its count, or leave it out")
-            self._check_size(node)
-            if node.tag in _NO_BODIES and node.getparent().tag != "default":
-                fix = "write rigid bodies out (MuJoCo's spec.to_xml() does), or remove it"
-                problem = f"{_NO_BODIES[node.tag]}: no rigid body that can be read here"
-                self.fail(node, f"<{node.tag}>", problem, fix)
-            reader = ElementReader(self._home(node))
-            subject = _named(node)
+    def _check(self, root: XmlNode) -> None:
+        stack: list[tuple[XmlNode, XmlNode | None]] = [(root, None)]
+        while stack:
+            node, above = stack.pop()
+            kept = []
+            for child in node.children:
+                if child.tag in _NOT_READ and node.tag != "default":
+                    problem = f"{_NOT_READ[child.tag]}: left out"
+                    self.log.add("XML108", f"<{child.tag}>", problem, child.place())
+                else:
+                    kept.append(child)
+            node.children = kept
+            subject = _subject(node, above)
             for attribute in _NUMBERS.get(node.tag, ()):
-                if attribute in node.attrib:
-                    reader.numbers(node, attribute, subject)
-            for attribute in _RANGES:
-                self._check_range(node, attribute, reader, subject)
-            if node.tag == "inertial":
-                _check_inertial(node, reader, subject)
-
-    def _check_size(self, node: Element) -> None:
-        """Refuse what MuJoCo would unfold into more memory than a description needs."""
-        size = _repeats(node)
-        for attribute in _SIZES.get(node.tag, ()):
-            size *= _whole(node.get(attribute))
-        if size > _MOST_ENTRIES:
-            problem = f"stands for {size:,.0f} entries, more than {_MOST_ENTRIES:,}"
-            self.fail(node, f"<{node.tag}>", problem, "make it smaller, or leave it out")
-
-    def _check_range(
-        self, node: Element, attribute: str, reader: ElementReader, subject: str
-    ) -> None:
-        if node.tag not in ("joint", "motor", "general", "position", "velocity"):
-            return
-        values = reader.numbers(node, attribute, subject) if attribute in node.attrib else ()
-        if len(values) == 2 and values[0] > values[1]:
-            problem = "lower exceeds upper, so that MuJoCo ignores the limit"
-            self.fail(node, f"{subject} {attribute}", problem, "swap them", node.get(attribute))
+                numbers(node, attribute, subject, self.log)
+            stack += [(child, node) for child in reversed(node.children)]
 
 
-def _repeats(node: Element) -> float:
-    """How often an element stands in the model, by the <replicate> elements around it."""
-    count = 1.0
-    around = [node, *node.iterancestors("replicate")]
-    for replicate in (each for each in around if each.tag == "replicate"):
-        count *= _whole(replicate.get("count"))
-    return count
+def numbers(node: XmlNode, attribute: str, subject: str, log: FindingLog | None) -> list[float]:
+    """An attribute's numbers, each with its text; none, and a finding, where one is no number."""
+    text = node.get(attribute)
+    try:
+        return [plain_number(word) for word in xml_words(text or "")]
+    except ValueError as error:
+        if log is not None:
+            problem = f"{attribute}={text!r} {error}"
+            log.add("XML103", f"{subject} {attribute}", problem, node.place(attribute), value=text)
+        return []
 
 
-def _whole(text: str | None) -> float:
+def _count(text: str | None) -> float:
     """A count as written; 1 where it is none, which MuJoCo itself refuses."""
     try:
         return max(1.0, float(text or 1))
@@ -212,31 +164,13 @@ def _whole(text: str | None) -> float:
         return 1.0
 
 
-def _check_inertial(node: Element, reader: ElementReader, subject: str) -> None:
-    mass = reader.number(node, "mass", subject)
-    key, names = "fullinertia", ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]
-    if key not in node.attrib:
-        key, names = "diaginertia", names[:3]
-    if key not in node.attrib:
-        fix = 'write fullinertia="xx yy zz xy xz yz" or diaginertia="xx yy zz"'
-        reader.fail(node, subject, "has no inertia", fix)
-    entries = reader.numbers(node, key, subject)
-    if len(entries) != len(names):
-        problem = f"takes {len(names)} numbers, not {len(entries)}"
-        reader.fail(node, f"{subject} {key}", problem, "write them all", node.get(key))
-    products = {"ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
-    tensor, digits = printed_tensor(products | dict(zip(names, entries, strict=True)))
-    line = node.sourceline
-    check_inertia(mass, tensor, Place(reader.file, f"{subject}/", line, line), digits=digits)
-
-
-def _named(node: Element) -> str:
-    """“body 'rod' inertial”, for errors."""
-    above = node.getparent()
+def _subject(node: XmlNode, above: XmlNode | None) -> str:
+    """“body 'rod' inertial”."""
     if node.tag in ("body", "joint") or above is None or above.tag != "body":
         return _words(node)
     return f"{_words(above)} {node.tag}"
 
 
-def _words(node: Element) -> str:
-    return f"{node.tag} {node.get('name')!r}" if node.get("name") else f"<{node.tag}>"
+def _words(node: XmlNode) -> str:
+    name = re.sub(r"\s+", " ", node.get("name") or "")
+    return f"{node.tag} {name!r}" if name else f"<{node.tag}>"

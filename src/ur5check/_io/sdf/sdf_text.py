@@ -1,217 +1,290 @@
-"""Strict reading of an SDF: one model, and the masses and inertias of its links.
+"""An SDF's elements: the one model that is read, its numbers, and the text that Drake gets.
 
 SDFormat has defaults that are rarely intended: a link without `<inertial>` has 1 kg and 1 kg m²
-about each axis.  libsdformat fills them in without a warning, so they are looked for in the text
-first.  Poses (relative to frames, joints relative to links) are left to libsdformat; masses
-and inertias are read here, with every digit.
+about each axis.  libsdformat fills them in without a warning, so they are looked for here.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from typing import NoReturn
+from collections.abc import Iterable
 
 import numpy as np
 
-from ..._errors import ModelError
-from ..._robot import STANDARD_GRAVITY, Inertia, Transform
-from ..inertia_checks import Place, check_inertia, printed_tensor
-from ..printed_numbers import Printed
-from ..xml.safe_xml import checked_root
-from ..xml.xml_numbers import Element, ElementReader
-from ..xml.xml_places import Places
+from ..._finding import Place
+from ..._robot.robot import ENTRIES, Inertial, ShapeRef
+from ..._robot.serial_arm import STANDARD_GRAVITY
+from ..._robot.transforms import Array, Transform
+from ..._rules.finding_log import FindingLog
+from ..number_text import roll_pitch_yaw
+from ..printed_numbers import common_rounding, plain_number
+from ..xml.lined_text import LinedText
+from ..xml.xml_numbers import xml_words
+from ..xml.xml_tree import XmlNode
 
-__all__ = ["SdfText"]
+__all__ = ["SdfText", "child", "number", "numbers"]
 
-_ENTRIES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-_NOT_READ = ("visual", "collision", "sensor", "plugin", "light", "actor", "gui", "scene", "physics")
+#: Drake computes poses only; without these parts it neither refuses nor warns about them.
+_NOT_FOR_DRAKE = {
+    "inertial", "visual", "collision", "sensor", "plugin", "light", "actor", "gui", "scene",
+    "physics", "mimic", "gravity",
+}  # fmt: skip
 _WORLD_GRAVITY = (0.0, 0.0, -9.8)  # SDFormat's own default for a <world>
 _OLDEST = (1, 4)
+_NAN = math.nan
+
+
+def child(node: XmlNode | None, *path: str) -> XmlNode | None:
+    """The first element along a path of tags."""
+    for tag in path:
+        node = None if node is None else next(node.all(tag), None)
+    return node
+
+
+def number(node: XmlNode | None, tag: str, subject: str, log: FindingLog) -> float | None:
+    """A child's number; None where there is no such child, nan with a finding where it is none."""
+    part = child(node, tag)
+    if part is None:
+        return None
+    return numbers(part, 1, f"{subject} {tag}", log)[0]
 
 
 class SdfText:
-    """The only model of an SDF file."""
+    """links, joints : elements of the model, by name;  model : None where there is none to read"""
 
-    def __init__(self, data: bytes, file: str) -> None:
-        self.reader = ElementReader(file)
-        self.root = checked_root(data, file)
-        self._check_root()
-        self.world, self.model = self._only_model()
-        self.name = self.reader.name(self.model)
-        self.links = self._named("link")
-        self.joints = self._named("joint")
-        self._inertials = {
-            name: self.reader.child(link, "inertial", f"link {name!r}")
-            for name, link in self.links.items()
-        }
-        for name, joint in self.joints.items():
-            self._check_joint(name, joint)
-        # Drake computes poses only; without these parts it neither refuses nor warns about them.
-        for node in list(self.root.iter("inertial", *_NOT_READ)):
-            node.getparent().remove(node)
-        gravity = None if self.world is None else self.world.find("gravity")
-        self._gravity = gravity
-        if self.world is not None and gravity is not None:
-            # Drake has its own gravity and only warns that it does not take the file's.
-            self.world.remove(gravity)
-        self._places = Places(self.root)
-        self.text = self._places.text
+    def __init__(self, root: XmlNode, log: FindingLog) -> None:
+        self.root, self.log = root, log
+        self.links: dict[str, XmlNode] = {}
+        self.joints: dict[str, XmlNode] = {}
+        self._check_version()
+        self._leave_out(root)
+        self.world, self.model = self._model()
+        if self.model is not None:
+            self.links, self.joints = self._named("link"), self._named("joint")
+
+    def for_drake(self, left_out: Iterable[XmlNode], axes: Iterable[XmlNode]) -> LinedText:
+        """The model without some elements, and without what is read here.
+
+        left_out : joints and limits that Drake would stop at;  axes : that are none, made z
+        """
+        gone = {id(node) for node in left_out}
+        straight = {id(node) for node in axes}
+
+        def copy(node: XmlNode) -> XmlNode:
+            text = "0 0 1" if id(node) in straight else node.text
+            kept = [
+                copy(each)
+                for each in node.children
+                if id(each) not in gone and each.tag not in _NOT_FOR_DRAKE
+            ]
+            return XmlNode(node.tag, node.attributes, node.file, node.offset, kept, text)
+
+        return LinedText(copy(self.root))
 
     def gravity(self) -> tuple[tuple[float, ...], tuple[str, ...]]:
         """In the world's frame [m/s²], and a note where it is SDFormat's default."""
         if self.world is None:
             return STANDARD_GRAVITY, ()
-        if self._gravity is None:
+        node = child(self.world, "gravity")
+        if node is None:
             return _WORLD_GRAVITY, ("the world names no gravity: SDFormat's is 9.8 m/s²",)
-        return tuple(self._numbers(self._gravity, "<world> gravity", 3)), ()
+        given = numbers(node, 3, "<world> gravity", self.log)
+        return (tuple(given), ()) if all(map(math.isfinite, given)) else (STANDARD_GRAVITY, ())
 
-    def inertia(self, name: str) -> Inertia:
-        """A moving link's inertia, in the link's frame.  Raises ModelError for a default."""
-        link, subject = self.links[name], f"link {name!r}"
-        inertial = self._inertials[name]
-        if (link.findtext("gravity") or "true").strip().lower() in ("false", "0"):
-            fix = "remove <gravity>: no arm on earth has a link without weight"
-            self.reader.fail(link, subject, "has its gravity switched off", fix)
-        if inertial is None:
-            problem = "moves and has no <inertial>: SDFormat would give it 1 kg and 1 kg m²"
+    def inertial(self, name: str, *, moves: bool) -> Inertial | None:
+        """A link's inertial, nan where a number is missing; None where it has none and stands."""
+        link, subject, log = self.links[name], f"link {name!r}", self.log
+        node = child(link, "inertial")
+        if node is None:
+            if not moves:
+                return None
+            problem = "moves and has no <inertial>: SDFormat gives it 1 kg and 1 kg m²"
             fix = "write its <inertial>; a mere frame is a <frame>, not a link"
-            self.reader.fail(link, subject, problem, fix)
-        subject += " inertial"
-        if (inertial.get("auto") or "false").strip().lower() in ("true", "1"):
-            fix = "write <mass> and <inertia>"
-            self.reader.fail(inertial, subject, "is to be made from shapes (auto)", fix)
-        mass_node = self._part(inertial, "mass", subject, "1 kg")
-        inertia_node = self._part(inertial, "inertia", subject, "1 kg m²")
-        (mass,) = self._numbers(mass_node, f"{subject}/mass", 1)
-        entries = {}
-        for entry in _ENTRIES:
-            default = "1 kg m²" if entry[1] == entry[2] else "0"
-            node = self._part(inertia_node, entry, f"{subject}/inertia", default)
-            (entries[entry],) = self._numbers(node, f"{subject}/inertia/{entry}", 1)
-        tensor, digits = printed_tensor(entries)
-        place = Place(
-            self.reader.file, f"{subject}/", mass_node.sourceline, inertia_node.sourceline
-        )
-        check_inertia(mass, tensor, place, digits=digits, point_mass=True)
-        own = Inertia(mass, np.zeros(3), tensor, digits)
-        return own.expressed_in(self._pose(inertial, subject))
+            log.add("XML104", subject, problem, link.place("name", subject), fix=fix)
+            return _unknown(link.place("name", subject))
+        if len(list(link.all("inertial"))) > 1:
+            log.add("XML105", subject, "has several <inertial> elements", node.place())
+        where = f"{subject} inertial"
+        if _true(node.get("auto")):
+            problem = "is to be made from shapes (auto)"
+            log.add("XML108", where, problem, node.place(), fix="write <mass> and <inertia>")
+            return _unknown(node.place())
+        places = {"inertial": node.place(None, where)}
+        mass = self._required(node, "mass", where, "1 kg", places)
+        tensor = child(node, "inertia")
+        entries = dict.fromkeys(ENTRIES, _NAN)
+        if tensor is None:
+            problem = "has no <inertia>: SDFormat gives it 1 kg m² about each axis"
+            log.add("XML104", where, problem, node.place())
+        else:
+            places["inertia"] = tensor.place(None, f"{where}/inertia")
+            for entry in ENTRIES:
+                default = "1 kg m²" if entry[1] == entry[2] else "0"
+                inside = f"{where}/inertia"
+                entries[entry] = self._required(tensor, entry, inside, default, places)
+        xyz, rpy = self._pose(node, where, places)
+        return Inertial(mass, xyz, rpy, entries, common_rounding(entries), places)
 
-    def losses(self, joint: str) -> tuple[float, float]:
-        """A joint's damping and friction; zero where the file names none."""
-        node = self.joints[joint].find("axis/dynamics")
-        given = {key: self._optional(node, key, joint) for key in ("damping", "friction")}
-        return given["damping"], given["friction"]
+    def shapes(self, name: str) -> tuple[ShapeRef, ...]:
+        """A link's shapes; none where one is not of a kind known here: the rest is too little."""
+        found = []
+        for node in self.links[name].all("collision", "visual"):
+            subject = f"link {name!r} {node.tag}"
+            geometry = child(node, "geometry")
+            solid = None if geometry is None or not geometry.children else geometry.children[0]
+            quiet = FindingLog()
+            xyz, rpy = self._pose(node, subject, {}, quiet)
+            size = () if solid is None else _size(solid, quiet)
+            if solid is None or not size or quiet.findings:
+                return ()
+            uri = child(solid, "uri")
+            found.append(
+                ShapeRef(
+                    "collision" if node.tag == "collision" else "visual",
+                    solid.tag,
+                    size,
+                    Transform.from_rpy(xyz, rpy.tolist()),
+                    "" if uri is None else uri.text.strip(),
+                    solid.place(None, subject),
+                )
+            )
+        return tuple(found)
 
-    def fail(
-        self,
-        node: Element,
-        element: str | None,
-        problem: str,
-        fix: str,
-        value: object = None,
-        rule: str = "XML100",
-    ) -> NoReturn:
-        """Raise ModelError at an element."""
-        self.reader.fail(node, element, problem, fix, value, rule)
-
-    def warnings_of_drake(self, error: Exception) -> ModelError:
-        """Drake's refusal as a ModelError."""
-        said = str(error)
-        found = re.search(r"\.sdf:(\d+)", said)
-        node = self._places.at(int(found[1])) if found else None
-        return ModelError(
-            f"Drake cannot take it: {self.in_our_words(said)}",
-            fix="correct it by http://sdformat.org/spec",
-            file=self.reader.file,
-            line=None if node is None else node.sourceline,
-        )
-
-    @staticmethod
-    def in_our_words(said: str) -> str:
-        """One line, without the place, which refers to the rewritten text."""
-        line = " ".join(said.split())
-        return re.sub(r"^(<[\w-]+>(\.sdf)?(:\d+)?: *)?((error|warning): *)?", "", line).rstrip(".")
-
-    def _check_root(self) -> None:
-        if self.root.tag != "sdf":
-            fix = "an SDF file's root is <sdf version=…>"
-            self.fail(self.root, f"<{self.root.tag}>", "the root element is not SDF's", fix)
+    def _check_version(self) -> None:
         version = self.root.get("version") or ""
-        numbers = re.fullmatch(r"(\d+)\.(\d+)", version)
-        if numbers is None or (int(numbers[1]), int(numbers[2])) < _OLDEST:
+        parts = re.fullmatch(r"(\d+)\.(\d+)", version)
+        if parts is None or (int(parts[1]), int(parts[2])) < _OLDEST:
+            place = self.root.place("version" if version else None)
             fix = 'write version="1.4" or later'
-            self.fail(self.root, "<sdf> version", "is too old or none", fix, version or None)
+            self.log.add("XML100", "<sdf> version", "is too old or none", place, fix=fix)
 
-    def _only_model(self) -> tuple[Element | None, Element]:
-        for tag in ("include", "model/model", "world/model/model"):
-            node = self.root.find(f".//{tag}" if tag == "include" else tag)
-            if node is not None:
-                fix = "write the model out flat, in one file (gz sdf --print does)"
-                self.fail(node, f"<{node.tag}>", "is not followed", fix)
-        models = [*self.root.findall("model"), *self.root.findall("world/model")]
-        if len(models) != 1:
-            node = models[1] if models else self.root
+    def _leave_out(self, root: XmlNode) -> None:
+        """Elements that stand for other models."""
+        stack = [root]
+        while stack:
+            node = stack.pop()
+            kept = []
+            for each in node.children:
+                if each.tag == "include" or (each.tag == "model" and node.tag == "model"):
+                    fix = "write the model out flat, in one file (gz sdf --print does)"
+                    problem = "is not followed: left out"
+                    self.log.add("XML108", f"<{each.tag}>", problem, each.place(), fix=fix)
+                else:
+                    kept.append(each)
+            node.children = kept
+            stack += kept
+
+    def _model(self) -> tuple[XmlNode | None, XmlNode | None]:
+        """The model with the most joints; another one is a finding, also where it has none."""
+        world = child(self.root, "world")
+        holders = [self.root, *self.root.all("world")]
+        models = [(model, holder) for holder in holders for model in holder.all("model")]
+        if not models:
+            self.log.add("TRE105", "<sdf>", "holds no model", self.root.place())
+            return world, None
+        model, holder = max(models, key=lambda pair: len(list(pair[0].all("joint"))))
+        for other, above in models:
+            if other is model:
+                continue
+            severity = "error" if any(other.all("joint")) else "note"
+            problem = f"the file holds {len(models)} models, and this one is left out"
+            subject = f"model {other.get('name')!r}"
             fix = "keep the arm's model alone"
-            self.fail(node, "<sdf>", f"holds {len(models)} models", fix)
-        world = self.root.find("world")
-        return world, models[0]
+            self.log.add("XML108", subject, problem, other.place(), severity=severity, fix=fix)
+            above.children = [each for each in above.children if each is not other]
+        return (None if holder is self.root else holder), model
 
-    def _named(self, tag: str) -> dict[str, Element]:
-        named: dict[str, Element] = {}
-        for node in self.model.findall(tag):
-            name = self.reader.name(node)
-            if name in named:
-                problem = f"appears twice, first in line {named[name].sourceline}"
-                self.fail(node, f"{tag} {name!r}", problem, "give each its own name")
-            named[name] = node
+    def _named(self, tag: str) -> dict[str, XmlNode]:
+        named: dict[str, XmlNode] = {}
+        assert self.model is not None  # noqa: S101 - for the type checker
+        for node in list(self.model.all(tag)):
+            name = (node.get("name") or "").strip()
+            if name and name not in named:
+                named[name] = node
+                continue
+            if name:
+                problem = f"appears twice, first in line {named[name].place().line}"
+                self.log.add("TRE101", f"{tag} {name!r}", problem, node.place("name"))
+            else:
+                self.log.add("XML104", f"<{tag}>", f"a <{tag}> has no name", node.place())
+            self.model.children.remove(node)
         return named
 
-    def _check_joint(self, name: str, joint: Element) -> None:
-        subject = f"joint {name!r}"
-        axis = self.reader.child(joint, "axis", subject)
-        if axis is None:
-            return
-        xyz = self.reader.child(axis, "xyz", subject)
-        if xyz is not None and not any(self._numbers(xyz, f"{subject} axis", 3)):
-            self.fail(
-                xyz, f"{subject} axis", "is zero", "write a direction, such as 0 0 1", xyz.text
-            )
-        limit = self.reader.child(axis, "limit", subject)
-        if limit is not None:
-            values = {}
-            for node in limit.iterchildren("lower", "upper", "effort", "velocity"):
-                (values[node.tag],) = self._numbers(node, f"{subject} limit {node.tag}", 1)
-            if values.get("lower", -math.inf) > values.get("upper", math.inf):
-                self.fail(limit, f"{subject} limit", "lower exceeds upper", "swap them")
-
-    def _part(self, node: Element, tag: str, subject: str, default: str) -> Element:
-        part = self.reader.child(node, tag, subject)
-        if part is None:
-            problem = f"has no <{tag}>: SDFormat would give it {default}"
-            self.fail(node, subject, problem, f"write <{tag}>")
-        return part
-
-    def _optional(self, node: Element | None, tag: str, joint: str) -> float:
-        part = None if node is None else self.reader.child(node, tag, f"joint {joint!r}")
-        if part is None:
-            return 0.0
-        (value,) = self._numbers(part, f"joint {joint!r} dynamics {tag}", 1)
+    def _required(
+        self, node: XmlNode, tag: str, where: str, default: str, places: dict[str, Place]
+    ) -> float:
+        value = number(node, tag, where, self.log)
+        if value is None:
+            problem = f"has no <{tag}>: SDFormat gives it {default}"
+            self.log.add("XML104", where, problem, node.place())
+            return _NAN
+        part = child(node, tag)
+        if part is not None:
+            places[tag] = part.place(None, f"{where}/{tag}")
         return value
 
-    def _pose(self, node: Element, subject: str) -> Transform:
-        pose = self.reader.child(node, "pose", subject)
+    def _pose(
+        self, node: XmlNode, subject: str, places: dict[str, Place], log: FindingLog | None = None
+    ) -> tuple[Array, Array]:
+        """Position [m] and roll, pitch, yaw [rad]; nan where they are not known here."""
+        log = log or self.log
+        pose = child(node, "pose")
         if pose is None:
-            return Transform.identity()
+            return np.zeros(3), np.zeros(3)
         subject += " pose"
+        places["origin"] = pose.place(None, subject)
+        unknown = np.full(3, _NAN), np.full(3, _NAN)
         if pose.get("relative_to"):
-            self.fail(pose, subject, "is relative to another frame", "write it in the link's frame")
-        if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
-            x, y, z, *xyz_w = self._numbers(pose, subject, 7)
-            return Transform.from_quaternion((x, y, z), (xyz_w[3], *xyz_w[:3]))
-        x, y, z, *rpy = self._numbers(pose, subject, 6)
-        in_degrees = (pose.get("degrees") or "false").strip().lower() in ("true", "1")
-        return Transform.from_rpy((x, y, z), [math.radians(a) for a in rpy] if in_degrees else rpy)
+            fix = "write it in the link's frame"
+            log.add("XML108", subject, "is relative to another frame", pose.place(), fix=fix)
+            return unknown
+        if pose.get("rotation_format") == "quat_xyzw":
+            given = np.array(numbers(pose, 7, subject, log))
+            if not np.isfinite(given).all() or not given[3:].any():
+                return unknown
+            R = Transform.from_quaternion(np.zeros(3), given[[6, 3, 4, 5]]).R
+            return given[:3], np.array(roll_pitch_yaw(R))
+        given = np.array(numbers(pose, 6, subject, log))
+        in_degrees = _true(pose.get("degrees"))
+        return given[:3], np.radians(given[3:]) if in_degrees else given[3:]
 
-    def _numbers(self, node: Element, subject: str, count: int) -> list[Printed]:
-        return self.reader.text_numbers(node, subject, count)
+
+def numbers(node: XmlNode, count: int, subject: str, log: FindingLog) -> list[float]:
+    """An element's own text: `count` plain numbers, or nan and a finding."""
+    words = xml_words(node.text)
+    try:
+        values: list[float] = [plain_number(word) for word in words]
+        problem = f"takes {count} number{'s' if count > 1 else ''}, not {len(values)}"
+    except ValueError as error:
+        values, problem = [], str(error)
+    if len(values) == count:
+        return values
+    log.add("XML103", subject, f"{node.text!r} {problem}", node.place(), value=node.text)
+    return [_NAN] * count
+
+
+def _size(solid: XmlNode, log: FindingLog) -> tuple[float, ...]:
+    """As in `ShapeRef`; empty for another kind of shape."""
+    if solid.tag == "mesh":
+        scale = child(solid, "scale")
+        return (1.0, 1.0, 1.0) if scale is None else tuple(numbers(scale, 3, "scale", log))
+    if solid.tag == "box":
+        size = child(solid, "size")
+        return () if size is None else tuple(numbers(size, 3, "size", log))
+    keys = {
+        "sphere": ("radius",),
+        "cylinder": ("radius", "length"),
+        "capsule": ("radius", "length"),
+    }
+    given = [number(solid, key, solid.tag, log) for key in keys.get(solid.tag, ())]
+    return tuple(value for value in given if value is not None) if None not in given else ()
+
+
+def _unknown(place: Place) -> Inertial:
+    nan = np.full(3, _NAN)
+    return Inertial(_NAN, nan, nan, dict.fromkeys(ENTRIES, _NAN), places={"inertial": place})
+
+
+def _true(text: str | None) -> bool:
+    return (text or "false").strip().lower() in ("true", "1")

@@ -2,29 +2,27 @@
 
 xacro's `${…}` is Python, and its own filter looks at the outermost names only: attributes inside a
 lambda pass it, and `xacro.load_yaml` reads any file.  So xacro runs in a process of its own
-(`xacro_worker`), behind three lines:
+(`xacro_process`), behind three lines:
 
 1. `check_expression` reads each expression before it is evaluated and refuses the attributes by
    which Python code climbs out of its namespace.  Its message is the clearest; it can be tricked.
 2. `raise_fence` hears of every file opened, process started, module imported, … (audit events, PEP
    578) and ends the process at the first one that is not on a short list.  It cannot be taken down
    again, but PEP 578 says itself that it is no prison: what has no audit event it does not see.
-3. `limit_resources` has the operating system bound time, memory and file size.
+3. `bounded_process` has the operating system bound time, memory and file size.
 """
 
 from __future__ import annotations
 
 import ast
 import os
-import resource
 import sys
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from typing import Any
 
 from ..._errors import ModelError
 
-__all__ = ["check_expression", "limit_resources", "raise_fence"]
+__all__ = ["check_expression", "raise_fence"]
 
 # Names without double underscores that lead to frames, code and attributes of other modules.
 _WAYS_OUT = frozenset(
@@ -102,16 +100,3 @@ def raise_fence(folders: Sequence[str], stop: Callable[[str], Any]) -> None:
             refuse(f"{event}({', '.join(map(repr, args))})")
 
     sys.addaudithook(hook)
-
-
-def limit_resources(*, seconds: int, memory: int, file_size: int) -> None:
-    """Have the system bound processor time [s], memory [byte] and the size of a file [byte]."""
-    for kind, value in (
-        (resource.RLIMIT_CPU, seconds),
-        (resource.RLIMIT_AS, memory),
-        (resource.RLIMIT_FSIZE, file_size),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        # macOS knows RLIMIT_AS but does not take it; the wall clock still ends a memory bomb there.
-        with suppress(ValueError, OSError):
-            resource.setrlimit(kind, (value, value))

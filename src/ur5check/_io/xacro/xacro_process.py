@@ -27,9 +27,10 @@ from xacro import substitution_args
 
 from ..._errors import ModelError
 from ..._files import read_regular
+from ..bounded_process import limit_resources
 from ..suggestions import did_you_mean
 from ..xml.xml_tree import checked_xml
-from .xacro_confinement import check_expression, limit_resources, raise_fence
+from .xacro_confinement import check_expression, raise_fence
 from .xacro_origins import Origins
 from .xacro_packages import PackageFolders
 

@@ -1,19 +1,15 @@
 """xacro to URDF, for files from untrusted sources.
 
-xacro's `${…}` is code, so a file is expanded in a process of its own (`xacro_worker`) with bounded
+xacro's `${…}` is code, so a file is expanded in a process of its own (`xacro_process`) with bounded
 time, memory and output, an empty environment, and no way to read anything but its own folder and
-the packages (`xacro_fence`).  What comes back is the URDF text, or one ModelError.
+the packages (`xacro_confinement`).  What comes back is the URDF text, or one ModelError.
 """
 
 from __future__ import annotations
 
 import json
-import math
 import os
 import re
-import subprocess
-import sys
-import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,6 +18,7 @@ from xml.sax.saxutils import escape
 
 from ..._errors import ModelError
 from ..._files import read_regular
+from ..bounded_process import EndedError, answer_of
 from ..package_search import with_linked_sources
 from ..ros_packages import PackageMap
 from ..xml.xml_tree import checked_xml
@@ -32,11 +29,6 @@ __all__ = ["Expansion", "expand_xacro"]
 _NOTE_BYTES = 4096
 _OUTPUT_BYTES = 16 * 2**20
 _MEMORY_BYTES = 512 * 2**20
-
-_START = (
-    "import sys; sys.path[:] = sys.argv[1:]; "
-    "from ur5check._io.xacro.xacro_process import main; main()"
-)
 
 
 @dataclass(frozen=True)
@@ -89,15 +81,21 @@ def expand_xacro(
         "arguments": dict(arguments),
         "packages": {name: [str(f) for f in fs] for name, fs in packages.folders.items()},
         "folders": folders,
-        "seconds": math.ceil(seconds) + 1,  # of processor time: wall-clock time ends it first
+        "seconds": seconds + 1,  # of processor time: wall-clock time ends it first
         "memory_bytes": _MEMORY_BYTES,
         "note_bytes": _NOTE_BYTES,
         "output_bytes": _OUTPUT_BYTES,
     }
     shown = {str(robot): str(path)}
     try:
-        data = _run_worker(json.dumps(request).encode(), robot.parent, seconds)
-    except _EndedError as ended:
+        data = answer_of(
+            "ur5check._io.xacro.xacro_process",
+            json.dumps(request).encode(),
+            what="the expansion",
+            folder=robot.parent,
+            seconds=seconds,
+        )
+    except EndedError as ended:
         raise _ended_error(ended, shown) from None
     try:
         answer = json.loads(data[_NOTE_BYTES:])
@@ -114,53 +112,11 @@ def expand_xacro(
     except (ValueError, TypeError, LookupError):
         # Only an expression that escaped the confinement can cause this.
         raise _ended_error(
-            _EndedError("the expansion ended without a result", data), shown
+            EndedError("the expansion ended without a result", data), shown
         ) from None
 
 
-class _EndedError(Exception):
-    """The worker gave no answer; what it wrote so far is kept."""
-
-    def __init__(self, problem: str, output: bytes) -> None:
-        super().__init__(problem)
-        self.problem = problem
-        self.output = output
-
-
-def _run_worker(request: bytes, folder: Path, seconds: float) -> bytes:
-    """All that the worker wrote to its stdout: a file, whose size the system bounds."""
-    # Isolated (-I) and without site (-S): the worker finds modules where this process does, and
-    # nowhere else.  A relative entry would mean the robot's own folder there, which is not trusted.
-    home = Path(__file__).resolve().parents[3]
-    places = [str(Path(entry).absolute()) for entry in sys.path if entry]
-    command = [sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, *places, str(home)]
-    # A Python that is itself linked to shared libraries needs this one variable to start.
-    kept = {key: os.environ[key] for key in ("LD_LIBRARY_PATH",) if key in os.environ}
-    with tempfile.TemporaryFile() as output:
-        problem = ""
-        try:
-            status = subprocess.run(  # noqa: S603 - our own interpreter, our own module
-                command,
-                input=request,
-                stdout=output,
-                stderr=subprocess.DEVNULL,
-                timeout=seconds,
-                env=kept,
-                cwd=folder,
-                check=False,
-            ).returncode
-            if status:
-                problem = f"the expansion was ended by its limits (status {status})"
-        except subprocess.TimeoutExpired:
-            problem = f"the expansion took longer than {seconds:g} s"
-        output.seek(0)
-        data = output.read()
-    if problem:
-        raise _EndedError(problem, data)
-    return data
-
-
-def _ended_error(ended: _EndedError, shown: Mapping[str, str]) -> ModelError:
+def _ended_error(ended: EndedError, shown: Mapping[str, str]) -> ModelError:
     try:
         note = json.loads(ended.output[:_NOTE_BYTES].rstrip(b"\0 "))
         snippet, files = str(note["snippet"]), list(map(str, note["files"]))
