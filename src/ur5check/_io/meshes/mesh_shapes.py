@@ -19,10 +19,10 @@ from ..ros_packages import PackageMap, default_packages
 from ..urdf.urdf_checks import check_urdf
 from ..urdf.urdf_values import Robot
 from ..xml.xml_numbers import Element, ElementReader
+from .mesh_hull import MESH_FORMATS, MeshHull, hull_of, read_hull
 
 __all__ = ["Meshes", "Shape", "link_meshes"]
 
-_FORMATS = (".dae", ".glb", ".obj", ".off", ".ply", ".stl")  # one file each, no archive
 _KINDS: tuple[Literal["collision", "visual"], ...] = ("collision", "visual")
 
 
@@ -120,13 +120,12 @@ class _Reader:
         scale = np.ones(3)
         if solid.tag == "mesh":
             name = solid.get("filename") or ""
-            mesh = _read(self.packages.resolve(name, self.folder), name)
+            hull = _read(self.packages.resolve(name, self.folder), name)
             scale = np.array(self.numbers.triple(solid, "scale", subject, (1.0, 1.0, 1.0)))
         else:
-            name, mesh = solid.tag, self._primitive(solid, subject)
-        points, volume, closed = _extent(mesh, name)
-        vertices = (points * scale) @ place.R.T + place.p
-        return Shape(kind, name, vertices, volume * float(abs(scale.prod())), closed)
+            name, hull = solid.tag, hull_of(self._primitive(solid, subject))
+        vertices = (hull.corners * scale) @ place.R.T + place.p
+        return Shape(kind, name, vertices, hull.volume * float(abs(scale.prod())), hull.closed)
 
     def _primitive(self, solid: Element, subject: str) -> Any:
         from trimesh import creation
@@ -143,29 +142,10 @@ class _Reader:
         )
 
 
-def _read(path: Path, name: str) -> Any:
-    """A mesh file as one trimesh."""
-    import trimesh
-
-    if path.suffix.lower() not in _FORMATS:
-        raise ModelError(
-            f"{path.suffix or 'this'} is no mesh format that is read here",
-            fix=f"use one of {', '.join(_FORMATS)}",
-            element=name,
-        )
+def _read(path: Path, name: str) -> MeshHull:
     try:
-        return trimesh.load_scene(path, skip_materials=True).to_mesh()
+        return read_hull(path)
     except Exception as error:  # each format's library has errors of its own
         problem = f"the mesh cannot be read: {type(error).__name__}: {error}"
-        raise ModelError(problem, fix="export it again", element=name) from error
-
-
-def _extent(mesh: Any, name: str) -> tuple[Array, float, bool]:
-    """Corners of the convex hull (k, 3), volume, and whether the surface closes."""
-    points = np.asarray(getattr(mesh, "vertices", ()), dtype=np.float64)
-    if len(points) < 4 or not np.isfinite(points).all() or not np.ptp(points, axis=0).all():
-        raise ModelError("the mesh encloses nothing", fix="export it again", element=name)
-    hull = mesh.convex_hull
-    closed = bool(mesh.is_watertight)
-    volume = abs(float(mesh.volume if closed else hull.volume))
-    return np.asarray(hull.vertices, dtype=np.float64), volume, closed
+        fix = f"export it again, as one of {', '.join(MESH_FORMATS)}"
+        raise ModelError(problem, fix=fix, element=name) from error
