@@ -8,7 +8,8 @@ runs as its command does by default.
 
 One rule for all: a tool detects a fault if it exits with an error or says something, at least as a
 warning, that it does not do or say for the sound file.  Which warning is not asked.  A false error
-is an error on a sound file; that meshes are missing is not counted.
+is an error on a sound file; that meshes are missing is not counted.  A tool
+that does not end within 30 s of processor time has said nothing.
 """
 
 from __future__ import annotations
@@ -46,11 +47,14 @@ class Case:
 
 @dataclass(frozen=True)
 class Report:
-    """said : (severity, check, message);  seconds : of processor time, imports not counted"""
+    """said : (severity, check, message);  seconds : of processor time, imports not counted
+    ended : whether the tool ended within the time that `peers_worker.py` allows
+    """
 
     code: int
     seconds: float
     said: frozenset[tuple[str, str, str]]
+    ended: bool = True
 
 
 def write_cases(robots: dict[str, Path], seed: int, folder: Path) -> list[Case]:
@@ -104,7 +108,8 @@ def theirs(tool: str, python: str, cases: Iterable[Case], folder: Path) -> dict[
             answer = json.loads(line)
             print(f"{tool}: {answer['file']}", file=sys.stderr)
             said = frozenset(tuple(one) for one in answer["said"])
-            reports[answer["file"]] = Report(answer["code"], answer["seconds"], said)
+            report = Report(answer["code"], answer["seconds"], said, answer["ended"])
+            reports[answer["file"]] = report
     return reports
 
 
@@ -148,6 +153,11 @@ def summary(cases: list[Case], reports: dict[str, dict[str, Report]]) -> list[li
     return [
         ["all faults", str(len(faults)), *map(str, hits)],
         ["errors on sound files", str(len(sound)), *map(str, errors)],
+        [
+            "not ended within 30 s",
+            str(len(cases)),
+            *(str(sum(not r.ended for r in t.values())) for t in tools),
+        ],
         ["CPU time a file, median [s]", str(len(cases)), *(f"{s:.2g}" for s in seconds)],
     ]
 

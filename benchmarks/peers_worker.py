@@ -3,16 +3,29 @@
     PYTHON peers_worker.py simcheck|urdf-validator FOLDER < names of files, one a line
 
 Answers with one line of JSON a file: its name, the exit code, the seconds of processor time it
-took, and everything reported at least as a warning.  Each tool's own command runs, in this process:
-what is imported once is not counted in every file's time.
+took, whether it ended within `LIMIT`, and everything reported at least as a warning.  Each tool's
+own command runs, in this process: what is imported once is not counted in every file's time.
 """
 
 import contextlib
 import io
 import json
+import signal
 import sys
 import time
 from pathlib import Path
+
+
+#: Processor time that one file may take [s].
+LIMIT = 30.0
+
+
+class OutOfTime(BaseException):
+    """Not an Exception: tools catch those."""
+
+
+def stop(signum, frame):
+    raise OutOfTime
 
 
 def simcheck(file, folder):
@@ -49,6 +62,8 @@ def urdf_validator(file, folder):
 def judged(tool, file, folder):
     """One line's worth: an exception of the tool is a report too."""
     began = time.process_time()
+    ended = True
+    signal.setitimer(signal.ITIMER_PROF, LIMIT)
     try:
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
             code, said = tool(file, folder)
@@ -56,8 +71,13 @@ def judged(tool, file, folder):
         code, said = end.code, []
     except Exception as error:  # noqa: BLE001 - whatever a tool raises
         code, said = 1, [["error", "exception", f"{type(error).__name__}: {error}"]]
+    except OutOfTime:
+        code, said, ended = 0, [], False
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
     return {
         "file": file.name,
+        "ended": ended,
         "code": 0 if code is None else code,
         "seconds": time.process_time() - began,
         "said": said,
@@ -67,5 +87,6 @@ def judged(tool, file, folder):
 if __name__ == "__main__":
     TOOL = {"simcheck": simcheck, "urdf-validator": urdf_validator}[sys.argv[1]]
     FOLDER = Path(sys.argv[2])
+    signal.signal(signal.SIGPROF, stop)
     for line in sys.stdin:
         print(json.dumps(judged(TOOL, FOLDER / line.strip(), FOLDER)), flush=True)
