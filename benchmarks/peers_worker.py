@@ -15,7 +15,6 @@ import sys
 import time
 from pathlib import Path
 
-
 #: Processor time that one file may take [s].
 LIMIT = 30.0
 
