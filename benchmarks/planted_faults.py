@@ -369,7 +369,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("missing ixx", frozenset({"XML104"}), _without("inertial/inertia", "ixx")),
     Kind("missing mass", frozenset({"XML104"}), _without("inertial/mass", "value")),
     Kind("two inertials", frozenset({"XML105"}), _two_inertials),
-    Kind("xacro left over", frozenset({"XML107"}), _mass_text(lambda x: "${mass}")),
+    Kind("xacro unexpanded", frozenset({"XML107"}), _mass_text(lambda x: "${mass}")),
     Kind("link twice", frozenset({"TRE101"}), _twice),
     Kind("unknown child", frozenset({"TRE102"}), _unknown_child),
     Kind("joint lost", frozenset({"TRE103"}), _cut),

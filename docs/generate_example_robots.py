@@ -26,9 +26,9 @@ named. Each [rule](rules.md) has its page.
 
 An error says that the numbers as written are impossible: for any body (`INE102`, `INE103`), or
 for a body of the shape that the package ships (`INE108`, `GEO101`). Every error that needs no
-mesh was recomputed with code of another origin. Which of tensor, centre and mesh is wrong, the rule
-cannot know: Panda's tensors were identified from torques, which do not determine them; others are
-placeholders.
+mesh was recomputed with code of another origin. Which of tensor, centre and mesh is wrong, the
+rule cannot know: Panda's tensors were identified from torques, which do not determine them; others
+are placeholders.
 
 | file | links | mass [kg] | arm | errors | warnings | notes | which errors |
 |---|---|---|---|---|---|---|---|

@@ -30,6 +30,20 @@ def test_its_own_package_its_siblings_and_those_of_repositories(tmp_path):
     assert packages_around(file) == {"my_arm_description": own, "gripper": sibling}
 
 
+@pytest.mark.parametrize("is_repository", [True, False])
+def test_all_packages_of_a_repository(tmp_path, is_repository):
+    """Planner's configurations lie in a folder of their own, beside the description."""
+    top = tmp_path / "vendor"
+    own = package(top / "moveit/arm_config", "arm_config")
+    description = package(top / "arm_description", "arm_description")
+    if is_repository:
+        (top / ".git").mkdir()
+    found = packages_around(own / "config/arm.urdf.xacro")
+    assert found == {"arm_config": own} | (
+        {"arm_description": description} if is_repository else {}
+    )
+
+
 def test_the_variables_of_ros(tmp_path, monkeypatch):
     monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "one"))
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path / "two"))

@@ -1,7 +1,8 @@
 """ROS packages around a file, found without options.
 
 In this order: the package that the file itself stands in (`package.xml` above it) and its siblings
-in the same source folder, or in the same colcon workspace; then what ROS's own variables name
+in the same source folder, in the repository around it, or in the same colcon workspace; then what
+ROS's own variables name
 (ROS_PACKAGE_PATH, and `share` of each prefix in AMENT_PREFIX_PATH).  Only names are listed here;
 nothing is read but `package.xml`.
 """
@@ -21,6 +22,9 @@ __all__ = ["known_packages", "packages_around", "with_linked_sources"]
 _NAME = re.compile(rb"<name>\s*([A-Za-z0-9_.-]+)\s*</name>")
 #: A source folder with more entries is not searched for siblings: a home folder, say.
 _MOST_SIBLINGS = 2000
+_MOST_INNER = 100
+#: A repository's top is looked for this many folders above a package.
+_HIGHEST_TOP = 4
 
 
 def known_packages(file: Path, given: Mapping[str, str | Path] | None = None) -> PackageMap:
@@ -40,6 +44,9 @@ def packages_around(file: Path) -> dict[str, Path]:
         _add(found, folder)
         for sibling in _folders(folder.parent):
             _add(found, sibling)
+        for above in _up_to_repository(folder.parent):
+            for other in _folders(above):
+                _add(found, other)
         if folder.parent.name == "share":  # install/NAME/share/NAME
             for prefix in _folders(folder.parents[2]):
                 _add(found, prefix / "share" / prefix.name)
@@ -82,25 +89,35 @@ def _linked_sources(name: str, folder: Path) -> Iterator[Path]:
                 return
 
 
+def _up_to_repository(folder: Path) -> list[Path]:
+    """The folders above one, up to the top of the repository in which it lies; none outside one."""
+    above = list(islice(folder.parents, _HIGHEST_TOP))
+    tops = [k for k, each in enumerate(above) if (each / ".git").exists()]
+    return above[: tops[0] + 1] if tops and not (folder / ".git").exists() else []
+
+
 def _package_above(file: Path) -> Path | None:
     return next((each for each in file.parents if (each / "package.xml").is_file()), None)
 
 
 def _folders(top: Path) -> Iterator[Path]:
-    try:
-        entries = sorted(entry for entry in top.iterdir() if entry.is_dir())
-    except OSError:
-        return
+    entries = _inside(top)
     if len(entries) <= _MOST_SIBLINGS:
         yield from entries
         for entry in entries:  # repositories hold their packages one level deeper
             if not (entry / "package.xml").is_file() and not entry.name.startswith("."):
-                try:
-                    inner = sorted(x for x in entry.iterdir() if x.is_dir())
-                except OSError:
-                    continue
-                if len(inner) <= 100:
+                inner = _inside(entry)
+                if len(inner) <= _MOST_INNER:
                     yield from inner
+
+
+def _inside(folder: Path) -> list[Path]:
+    """The folders in a folder, sorted; none where it cannot be read."""
+    try:
+        with os.scandir(folder) as entries:
+            return [folder / name for name in sorted(x.name for x in entries if x.is_dir())]
+    except OSError:
+        return []
 
 
 def _add(found: dict[str, Path], folder: Path) -> None:

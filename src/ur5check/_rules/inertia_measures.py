@@ -23,6 +23,7 @@ __all__ = [
     "is_sound",
     "largest_spread",
     "metres",
+    "placeholder",
     "size_severity",
     "spreads",
     "subject_of",
@@ -46,6 +47,22 @@ def largest_spread(inertia: Inertia) -> tuple[float, Array]:
     sigma = np.trace(inertia.tensor) / 2.0 * np.eye(3) - inertia.tensor
     values, vectors = np.linalg.eigh(sigma)
     return float(np.sqrt(max(0.0, values[2]) / inertia.mass)), vectors[:, 2]
+
+
+def placeholder(inertial: Inertial) -> str | None:
+    """What of a tensor looks as if somebody had typed it instead of measuring, None if nothing."""
+    entries = inertial.entries
+    moments = {entries["ixx"], entries["iyy"], entries["izz"]}
+    products = {entries["ixy"], entries["ixz"], entries["iyz"]}
+    value = entries["ixx"]
+    if len(moments) > 1 or value <= 0.0:
+        return None
+    if products == moments:
+        return f"all six entries are {value:g}"
+    rounded = float(f"{value:.0e}")
+    if products == {0.0} and f"{value:.0e}"[0] in "15" and abs(value - rounded) < 1e-12 * value:
+        return f"all three moments are {value:g} kg m²"
+    return None
 
 
 def subject_of(body: RobotLink) -> str:

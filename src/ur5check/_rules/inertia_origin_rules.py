@@ -12,7 +12,13 @@ from .._robot.transforms import Array
 from .body_extent import Extent
 from .examples import joint, link, robot
 from .finding_log import finding_of
-from .inertia_measures import is_sound, largest_spread, metres, subject_of
+from .inertia_measures import (
+    is_sound,
+    largest_spread,
+    metres,
+    placeholder,
+    subject_of,
+)
 from .rule import Rule
 from .rule_subject import RuleSubject
 
@@ -31,29 +37,16 @@ def _placeholder(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
         if not inertial.judged.has_tensor or inertial.mass <= 0.0:
             continue
-        e = inertial.entries
-        diagonal = {e["ixx"], e["iyy"], e["izz"]}
-        products = {e["ixy"], e["ixz"], e["iyz"]}
-        value = e["ixx"]
-        if len(diagonal) > 1:
-            continue
-        round_number = (
-            value > 0.0
-            and f"{value:.0e}".startswith(("1e", "5e"))
-            and (abs(value - float(f"{value:.0e}")) < 1e-12 * value)
-        )
-        if products == diagonal:
-            what = f"all six entries are {value:g}"
-        elif products == {0.0} and round_number and _not_a_sphere(s, body, inertial):
-            what = f"all three moments are {value:g} kg m²"
-        else:
+        what = placeholder(inertial)
+        diagonal = not inertial.entries["ixy"]
+        if what is None or (diagonal and not _not_a_sphere(s, body, inertial)):
             continue
         yield finding_of(
             "INE113",
             subject_of(body),
             f"{what}: a placeholder, not a measured tensor",
             inertial.place("inertia"),
-            value=value,
+            value=inertial.entries["ixx"],
             unit="kg m²",
         )
 

@@ -17,6 +17,7 @@ from .inertia_measures import (
     is_sound,
     largest_spread,
     metres,
+    placeholder,
     size_severity,
     spreads,
     subject_of,
@@ -39,6 +40,8 @@ _POINT = 0.01
 DENSE, IMPOSSIBLY_DENSE = 9000.0, 40000.0
 #: Lighter than balsa wood (150 kg/m³) by a factor of ten.
 _LIGHT = 15.0
+#: Masses up to this are written for dummies of frames and sensors: no density is meant [kg].
+_DUMMY_MASS = 0.01
 #: Units that tensors and masses are found in: factor to kg m² or kg.
 _TENSOR_UNITS = (
     (1e9, "g mm²"),
@@ -80,8 +83,9 @@ def _beyond_shape(s: RuleSubject) -> Iterator[Finding]:
                 "INE108",
                 subject_of(body),
                 f"mass spreads {metres(np.sqrt(squares[worst]))} along "
-                f"{axis_text(directions[worst])}, {np.sqrt(ratio[worst]):.2g} times what its shape "
-                f"allows ({metres(np.sqrt(allowed[worst]))})" + _unit_hint(s, body, inertial),
+                f"{axis_text(directions[worst])}, {np.sqrt(ratio[worst]):.3g} times what its shape "
+                f"allows ({metres(np.sqrt(allowed[worst]))})"
+                + _unit_hint(s, body, inertial, float(np.sqrt(ratio[worst]))),
                 inertial.place("inertia"),
                 value=float(np.sqrt(squares[worst])),
                 bound=float(np.sqrt(allowed[worst])),
@@ -96,7 +100,7 @@ def _beyond_length(s: RuleSubject) -> Iterator[Finding]:
         if not is_sound(inertial) or s.extent(body.name) is not None:
             continue
         spread, direction = largest_spread(inertial.inertia)
-        length = s.length(body.name)
+        length = s.longest(body.name)
         if spread <= _WIDE * length:
             continue
         grave = spread > _IMPOSSIBLE * length and spread > 0.5 * s.reach
@@ -104,7 +108,7 @@ def _beyond_length(s: RuleSubject) -> Iterator[Finding]:
             "INE109",
             subject_of(body),
             f"mass spreads {metres(spread)} along {axis_text(direction)} in a link of "
-            f"{metres(length)}" + _unit_hint(s, body, inertial),
+            f"{metres(length)}" + _unit_hint(s, body, inertial, 2.0 * spread / length),
             inertial.place("inertia"),
             value=spread,
             bound=_WIDE * length,
@@ -125,7 +129,7 @@ def _like_a_point(s: RuleSubject) -> Iterator[Finding]:
                 "INE110",
                 subject_of(body),
                 f"mass spreads only {metres(spread)} in a link of {metres(length)}, as if all of "
-                "it lay in one point" + _unit_hint(s, body, inertial),
+                "it lay in one point" + _unit_hint(s, body, inertial, np.inf),
                 inertial.place("inertia"),
                 value=spread,
                 bound=_POINT * length,
@@ -133,8 +137,15 @@ def _like_a_point(s: RuleSubject) -> Iterator[Finding]:
             )
 
 
-def _unit_hint(s: RuleSubject, body: RobotLink, inertial: Inertial) -> str:
-    """The units that would make the spread plausible, if some do."""
+def _unit_hint(s: RuleSubject, body: RobotLink, inertial: Inertial, excess: float) -> str:
+    """The units that would make the spread plausible, if some do.
+
+    excess : times what a body of the link's size has; little excess has other reasons
+    """
+    if excess < 2.0:
+        return ""
+    if (what := placeholder(inertial)) is not None:
+        return f"; {what}: a placeholder"
     spread, _ = largest_spread(inertial.inertia)
     length = s.length(body.name)
     low, high = (part * length for part in _PLAUSIBLE_SPREAD)
@@ -148,17 +159,17 @@ def _unit_hint(s: RuleSubject, body: RobotLink, inertial: Inertial) -> str:
 
 def _density(s: RuleSubject) -> Iterator[Finding]:
     for body, inertial in s.bodies:
-        if inertial.mass <= 0.0:
+        if inertial.mass <= _DUMMY_MASS:
             continue
         extent = s.extent(body.name)
         if extent is not None and extent.most_volume > 0.0:
             volume, of = extent.most_volume, "its shape"
         else:
             # A ball around the link: what no link fills, let alone with metal.
-            radius = s.length(body.name) / 2.0 + 0.05
+            radius = s.longest(body.name) / 2.0 + 0.05
             volume, of = float(4.0 / 3.0 * np.pi * radius**3), "a ball as long as the link"
         density = inertial.mass / volume
-        light = extent is not None and density < _LIGHT and inertial.mass > 0.01
+        light = extent is not None and density < _LIGHT
         if density <= DENSE and not light:
             continue
         bound = DENSE if density > DENSE else _LIGHT
@@ -181,7 +192,7 @@ def _far_centre(s: RuleSubject) -> Iterator[Finding]:
         if inertial.mass <= 0.0 or s.extent(body.name) is not None:
             continue
         distance = float(np.linalg.norm(inertial.xyz))
-        length = s.length(body.name)
+        length = s.longest(body.name)
         if distance <= 1.5 * length + 0.1:
             continue
         grave = distance > 3.0 * length and distance > s.reach

@@ -90,7 +90,7 @@ def _mirrored(s: RuleSubject) -> Iterator[Finding]:
     bodies = {body.name: inertial for body, inertial in s.bodies if inertial.mass > 0.0}
     for left, one in bodies.items():
         right = _other_side(left, set(bodies))
-        if right is None:
+        if right is None or _in_one_chain(s, left, right):
             continue
         other = bodies[right]
         if abs(one.mass - other.mass) > _SAME * max(one.mass, other.mass):
@@ -105,6 +105,11 @@ def _mirrored(s: RuleSubject) -> Iterator[Finding]:
             "ROB103", f"link {left!r}", problem, one.place(part), other.place(part), value=value,
             bound=bound,
         )  # fmt: skip
+
+
+def _in_one_chain(s: RuleSubject, one: str, other: str) -> bool:
+    """Whether one of two links carries the other: then they are no pair, whatever their names."""
+    return other in s.robot.down(one) or one in s.robot.down(other)
 
 
 def _mirror_gap(one: Inertial, other: Inertial) -> float:
@@ -152,7 +157,7 @@ def _holding_torque(s: RuleSubject) -> Iterator[Finding]:
             "ROB104",
             f"joint {one.name!r}",
             f"holding the arm still{with_payload} takes at least {torque[i]:.4g} N m at "
-            f"({at}), {torque[i] / effort:.3g} times its effort limit {effort:g}",
+            f"({at}), {torque[i] / effort:.4g} times its effort limit {effort:g}",
             file_joint.at("effort"),
             value=float(torque[i]),
             bound=effort,

@@ -21,6 +21,8 @@ MeshReader = Callable[[ShapeRef, str], "Body | Finding"]
 _SMALLEST = 0.05
 #: A link without length (a wrist, a spherical shoulder) is taken for this part of the reach.
 _PART_OF_REACH = 0.15
+#: Where nothing says how large a part is, it may have this length [m].
+_UNKNOWN = 1.0
 
 
 class RuleSubject:
@@ -94,9 +96,12 @@ class RuleSubject:
         lengths = dict.fromkeys((link.name for link in self.robot.links), 0.0)
         for name in self.moving:
             before = float(np.linalg.norm(self.robot.above[name].carried.p))
-            beyond = [float(np.linalg.norm(one.origin.p)) for one in self.robot.below[name]]
-            lengths[name] = max([before, *beyond])
+            lengths[name] = max(before, self._beyond(name))
         return lengths
+
+    def _beyond(self, link: str) -> float:
+        """How far from a link's frame the joints lie that it carries [m]."""
+        return max((float(np.linalg.norm(x.origin.p)) for x in self.robot.below[link]), default=0.0)
 
     def length(self, link: str) -> float:
         """A link's length from joint to joint, at least what such links have in this robot [m].
@@ -109,7 +114,19 @@ class RuleSubject:
         if inertial is None or not inertial.readable or any(self.robot.below[link]):
             return length
         out = 2.0 * float(np.linalg.norm(inertial.xyz))
-        return max(length, min(out, max(self.reach, 1.0)))
+        return max(length, min(out, max(self.reach, _UNKNOWN)))
+
+    def longest(self, link: str) -> float:
+        """What a link's length may be at most, where no shape says it [m].
+
+        A moving link may lie between its joint and the one before, as a forearm does whose joint
+        is drawn at the wrist.  What stands may be as large as the robot: a column, a cabinet, a
+        body with legs.
+        """
+        length = self.length(link)
+        if link in self.moving:
+            return max(length, float(np.linalg.norm(self.robot.above[link].origin.p)))
+        return max(length, self._beyond(link), self.reach, _UNKNOWN)
 
     def extent(self, link: str) -> Extent | None:
         """The shapes of a link itself, not of what is fixed to it; None where it has none.

@@ -68,6 +68,29 @@ def test_a_mesh_in_millimetres_needs_its_scale(tmp_path, scale, rules):
         assert findings["GEO104"].places[0].line == 4
 
 
+def test_the_unit_of_a_collada_file_is_applied(tmp_path):
+    """As viewers do: 250 units of a millimetre each are 0.25 m."""
+    file = write(tmp_path, robot(joint(), link(shapes=mesh_shape("box.dae"))))
+    box = trimesh.creation.box(np.array(SIZE) * 1000.0)
+    text = trimesh.exchange.dae.export_collada(box).decode()
+    unit = '<unit name="millimetre" meter="0.001"/></asset>'
+    (tmp_path / "box.dae").write_text(text.replace("</asset>", unit))
+    (shape,) = judge(file, samples=5).robot.link["arm"].shapes
+    body = MeshReader(tmp_path, PackageMap({}))(shape, "link 'arm'")
+    np.testing.assert_allclose(np.ptp(body.points, axis=0), SIZE, rtol=1e-6)
+    np.testing.assert_allclose(body.hull_volume, np.prod(SIZE), rtol=1e-6)
+
+
+def test_a_mesh_that_changes_is_read_again(tmp_path):
+    file = write(tmp_path, robot(joint(), link(shapes=mesh_shape("box.stl"))))
+    before = dict(judge(file, samples=5).inputs)["box.stl"]
+    trimesh.creation.icosphere(radius=0.2).export(tmp_path / "box.stl")
+    (shape,) = judge(file, samples=5).robot.link["arm"].shapes
+    reader = MeshReader(tmp_path, PackageMap({}))
+    np.testing.assert_allclose(np.ptp(reader(shape, "link").points, axis=0), 0.4, rtol=0.02)
+    assert reader.inputs["box.stl"] != before
+
+
 def test_a_centre_outside_its_mesh_is_an_error(tmp_path):
     assert found(write(tmp_path, robot(joint(), link(shapes=mesh_shape("box.stl"))))) == {}
     beside = robot(joint(), link(shapes=mesh_shape("box.stl", z=1.1)))

@@ -236,6 +236,14 @@ def test_whoever_gets_hold_of_python_still_meets_the_fence(tmp_path: Path, line:
     assert file.read_text() == "unchanged"
 
 
+def test_format_is_a_property_like_another(tmp_path: Path) -> None:
+    """Descriptions call the suffix of their meshes so; as a method of text it stays refused."""
+    macro = '<xacro:macro name="part" params="format:=stl"><m file="a.${format}"/></xacro:macro>'
+    assert '<m file="a.dae"/>' in expand(write(tmp_path, macro + '<xacro:part format="dae"/>')).text
+    error = refusal(write(tmp_path, "<a b=\"${'a'.format(1)}\"/>"))
+    assert error.rule == "XAC103"
+
+
 # Files that never end, or end too large.
 
 

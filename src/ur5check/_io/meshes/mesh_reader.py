@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -13,14 +12,12 @@ from ..._errors import ModelError
 from ..._files import read_regular
 from ..._finding import Finding
 from ..._robot.robot import ShapeRef
-from ..._robot.transforms import Array
 from ..._rules.body_extent import MeshBody
 from ..._rules.finding_log import finding_of
 from ..ros_packages import PackageMap
+from .mesh_hull import read_hull
 
 __all__ = ["MeshReader"]
-
-_FORMATS = (".dae", ".glb", ".obj", ".off", ".ply", ".stl")  # one file each, no archive
 
 
 class MeshReader:
@@ -44,7 +41,7 @@ class MeshReader:
             )  # fmt: skip
         try:
             self.inputs[shape.uri] = _digest(path)
-            points, volume, hull_volume = _hull_and_volumes(path)
+            hull = read_hull(path)
         except Exception as error:  # noqa: BLE001 - each format's library has errors of its own
             reason = " ".join(f"{type(error).__name__}: {error}".split())[:120]
             return finding_of(
@@ -52,28 +49,16 @@ class MeshReader:
                 shape.place, value=shape.uri,
             )  # fmt: skip
         scale = np.array(shape.size)
-        placed = (points * scale) @ shape.pose.R.T + shape.pose.p
+        placed = (hull.corners * scale) @ shape.pose.R.T + shape.pose.p
         factor = float(abs(scale.prod()))
-        return MeshBody(shape, placed, volume * factor, hull_volume * factor)
+        return MeshBody(shape, placed, hull.volume * factor, hull.hull_volume * factor)
 
 
-@lru_cache(maxsize=256)
 def _digest(path: Path) -> str:
+    state = path.stat()
+    return _digest_of(path, state.st_mtime_ns, state.st_size)
+
+
+@lru_cache(maxsize=4096)
+def _digest_of(path: Path, changed: int, size: int) -> str:
     return hashlib.sha256(read_regular(path)).hexdigest()
-
-
-@lru_cache(maxsize=256)
-def _hull_and_volumes(path: Path) -> tuple[Array, float, float]:
-    """Corners of the convex hull, shape (k, 3), the volume of the solid, and that of the hull."""
-    import trimesh
-
-    if path.suffix.lower() not in _FORMATS:
-        raise ValueError(f"{path.suffix or 'this'} is no mesh format that is read here")
-    mesh: Any = trimesh.load_scene(path, skip_materials=True).to_mesh()
-    points = np.asarray(getattr(mesh, "vertices", ()), dtype=np.float64)
-    if len(points) < 4 or not np.isfinite(points).all() or not np.ptp(points, axis=0).all():
-        raise ValueError("it encloses nothing")
-    hull = mesh.convex_hull
-    filled = abs(float(hull.volume))
-    solid = abs(float(mesh.volume)) if mesh.is_watertight else filled
-    return np.asarray(hull.vertices, dtype=np.float64), solid, filled

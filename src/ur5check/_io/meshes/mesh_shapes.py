@@ -18,10 +18,10 @@ from ..._robot.transforms import Array
 from ..chain_assembly import rigid_poses
 from ..ros_packages import PackageMap, default_packages
 from ..urdf.urdf_reader import description_of_arm
+from .mesh_hull import MESH_FORMATS, MeshHull, hull_of, read_hull
 
 __all__ = ["Meshes", "Shape", "link_meshes"]
 
-_FORMATS = (".dae", ".glb", ".obj", ".off", ".ply", ".stl")  # one file each, no archive
 _KINDS: tuple[Literal["collision", "visual"], ...] = ("collision", "visual")
 
 
@@ -106,13 +106,12 @@ class _Reader:
         place, scale = pose @ shape.pose, np.ones(3)
         if shape.geometry == "mesh":
             name = shape.uri
-            mesh = _read(self.packages.resolve(name, self.folder), name)
+            hull = _read(self.packages.resolve(name, self.folder), name)
             scale = np.array(shape.size)
         else:
-            name, mesh = shape.geometry, _primitive(shape)
-        points, volume, closed = _extent(mesh, name)
-        vertices = (points * scale) @ place.R.T + place.p
-        return Shape(shape.kind, name, vertices, volume * float(abs(scale.prod())), closed)
+            name, hull = shape.geometry, hull_of(_primitive(shape))
+        vertices = (hull.corners * scale) @ place.R.T + place.p
+        return Shape(shape.kind, name, vertices, hull.volume * float(abs(scale.prod())), hull.closed)
 
 
 def _primitive(shape: ShapeRef) -> Any:
@@ -127,29 +126,10 @@ def _primitive(shape: ShapeRef) -> Any:
     return creation.cylinder(radius=shape.size[0], height=shape.size[1])
 
 
-def _read(path: Path, name: str) -> Any:
-    """A mesh file as one trimesh."""
-    import trimesh
-
-    if path.suffix.lower() not in _FORMATS:
-        raise ModelError(
-            f"{path.suffix or 'this'} is no mesh format that is read here",
-            fix=f"use one of {', '.join(_FORMATS)}",
-            element=name,
-        )
+def _read(path: Path, name: str) -> MeshHull:
     try:
-        return trimesh.load_scene(path, skip_materials=True).to_mesh()
+        return read_hull(path)
     except Exception as error:  # each format's library has errors of its own
         problem = f"the mesh cannot be read: {type(error).__name__}: {error}"
-        raise ModelError(problem, fix="export it again", element=name) from error
-
-
-def _extent(mesh: Any, name: str) -> tuple[Array, float, bool]:
-    """Corners of the convex hull (k, 3), volume, and whether the surface closes."""
-    points = np.asarray(getattr(mesh, "vertices", ()), dtype=np.float64)
-    if len(points) < 4 or not np.isfinite(points).all() or not np.ptp(points, axis=0).all():
-        raise ModelError("the mesh encloses nothing", fix="export it again", element=name)
-    hull = mesh.convex_hull
-    closed = bool(mesh.is_watertight)
-    volume = abs(float(mesh.volume if closed else hull.volume))
-    return np.asarray(hull.vertices, dtype=np.float64), volume, closed
+        fix = f"export it again, as one of {', '.join(MESH_FORMATS)}"
+        raise ModelError(problem, fix=fix, element=name) from error

@@ -24,10 +24,10 @@ from ..._errors import ModelError
 
 __all__ = ["check_expression", "raise_fence"]
 
-# Names without double underscores that lead to frames, code and attributes of other modules.
+# Attributes without double underscores that lead to other people's frames, code and attributes.  As
+# plain names they lead nowhere: `format` is a property of many descriptions.
 _WAYS_OUT = frozenset(
     {
-        "vars",
         *("format", "format_map"),  # fields such as {0.__globals__} read what no expression names
         *("gi_frame", "gi_code", "cr_frame", "cr_code", "ag_frame", "ag_code", "tb_frame"),
         *("f_back", "f_globals", "f_locals", "f_builtins", "f_code"),
@@ -50,12 +50,12 @@ def check_expression(expression: str) -> None:
     except (SyntaxError, ValueError):
         return
     for node in ast.walk(tree):
-        name = ""
+        name, ways_out = "", frozenset({"vars"})
         if isinstance(node, ast.Attribute):
-            name = node.attr
+            name, ways_out = node.attr, _WAYS_OUT
         elif isinstance(node, ast.Name):
             name = node.id
-        if name.startswith("__") or name in _WAYS_OUT:
+        if name.startswith("__") or name in ways_out:
             raise ModelError(
                 f"the expression reaches for {name!r}, which describes no robot",
                 fix="remove it, and ask who wrote this file",
