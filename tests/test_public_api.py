@@ -142,7 +142,8 @@ CALLS = [
     (
         ur5check.worst_cases,
         {"pair": PAIR},
-        {"pair": NOT_OBJECTS, "seed": NOT_SEEDS, "starts": NOT_COUNTS}
+        {"pair": NOT_OBJECTS, "seed": NOT_SEEDS}
+        | {"starts": {k: v for k, v in NOT_COUNTS.items() if k != "none"}}
         | {"acceleration": NOT_NUMBERS},
     ),
     (ur5check.identify, {"arm": ARM}, {"arm": NOT_ARMS, "seed": NOT_SEEDS, "frame": {"x": "x"}}),

@@ -58,7 +58,6 @@ EXCEPTIONS = {
     ("docs/references.md", "Journal"): "in the names of scientific journals",
     ("docs/identifiability.md", "Journal"): "in the name of a scientific journal",
     ("docs/sweep.md", "Journal"): "in the name of a scientific journal",
-    ("docs/worst-case.md", "Journal"): "in the name of a scientific journal",
     ("CHANGELOG.md", "fail-over"): "names the option that was renamed",
     ("src/ur5check/_dynamics/base_parameters.py", "Journal"): "in the name of a scientific journal",
 }

@@ -67,7 +67,8 @@ def add_state_options(parser: argparse.ArgumentParser, *, many: bool = False) ->
         type=int,
         default=None if many else 10_000,
         metavar="N",
-        help=f"number of random states (default: 10000{'; 100 of many models' if many else ''})",
+        help="number of random states "
+        f"(default: {'1000; 100 of each of many models' if many else '10000'})",
     )
     parser.add_argument(
         "--seed", type=int, default=0, metavar="N", help="seed of the random states (default: 0)"

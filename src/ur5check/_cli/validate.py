@@ -50,7 +50,7 @@ examples:
 """
 
 #: States at which the computation is checked: of one or two models, and of each of many.
-_SAMPLES, _SAMPLES_OF_MANY = 10_000, 100
+_SAMPLES, _SAMPLES_OF_MANY = 1_000, 100
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

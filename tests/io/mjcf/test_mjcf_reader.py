@@ -203,7 +203,7 @@ def test_included_files_are_read_hashed_and_named_in_errors(read, tmp_path):
     assert ("part.xml", hashlib.sha256(part.read_bytes()).hexdigest()) in arm.source.inputs
     np.testing.assert_array_equal(arm.parameters(), read(text_of()).parameters())
     part.write_text("<mujoco>\n\n" + INERTIAL.replace('mass="2"', 'mass="-2"') + "\n</mujoco>")
-    with pytest.raises(ModelError, match=r"^part.xml:3: link 'lower': mass is negative"):
+    with pytest.raises(ModelError, match=r"^part.xml:3: body 'lower' inertial/mass: mass is negative"):
         read(text)
 
 
@@ -230,7 +230,7 @@ TENDON = '<tendon><fixed name="t" {}><joint joint="elbow" coef="1"/></fixed></te
         ({"bottom": TENDON.format('stiffness="3"')}, "two.xml:18: tendon 't': couples"),
         ({"elbow": 'type="ball"'}, "is ball: neither revolute"),
         ({"elbow": 'stiffness="3"'}, "joint 'elbow' stiffness: is a spring"),
-        ({"elbow": 'range="30 -30"'}, "two.xml:12: joint 'elbow': its limits are swapped"),
+        ({"elbow": 'range="30 -30"'}, "two.xml:12: joint 'elbow' range: its limits are swapped"),
         ({"elbow": 'armature="nan"'}, "two.xml:12: joint 'elbow' armature: "),
         ({"top": '<option density="1.2"/>'}, "two.xml:3: <option>: density"),
         ({"inside": '<plugin plugin="x"/>'}, "<plugin>: is code"),

@@ -136,7 +136,7 @@ def test_gravity_is_the_worlds(read, gravity, expected, noted):
         ({"elbow": "ball", "axis": ""}, "is ball: neither revolute nor prismatic"),
         ({"inside": '<model name="hand"><link name="x"/></model>'}, "<model>: is not followed"),
         ({"inside": '<joint name="tie" type="fixed"><parent>stand</parent><child>lower</child>'
-                    "</joint>"}, "link 'lower': is the child of two joints"),
+                    "</joint>"}, "joint 'tie': is the child of two joints"),
         ({"axis": AXIS.replace("</xyz>", "</xyz><dynamics><spring_stiffness>1</spring_stiffness>"
                                "</dynamics>")}, "joint 'elbow' spring_stiffness: is a spring"),
         ({"axis": AXIS.replace("1 0 1", "1 0 nan")}, "is not finite"),

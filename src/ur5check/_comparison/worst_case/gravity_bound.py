@@ -73,14 +73,14 @@ def _bound(coefficients: Array, scale: float) -> float:
         amplitudes = np.moveaxis(np.tensordot(_HARMONICS, amplitudes, axes=(1, k)), 0, k)
     harmonics = float(np.abs(amplitudes).sum())
     # Angles on which nothing depends need no grid; what rounding leaves of them is added.
-    dust = 0.0
+    left_out = 0.0
     kept = coefficients
     for k in reversed(range(coefficients.ndim)):
         waves = np.delete(kept, 0, axis=k)
         if np.abs(waves).max(initial=0.0) <= _ROUNDING * scale:
-            dust += float(np.abs(waves).sum())
+            left_out += float(np.abs(waves).sum())
             kept = np.take(kept, 0, axis=k)
-    return min(harmonics, _grid_bound(kept) + dust) + _ROUNDING * scale
+    return min(harmonics, _grid_bound(kept) + left_out) + _ROUNDING * scale
 
 
 def _grid_bound(coefficients: Array) -> float:

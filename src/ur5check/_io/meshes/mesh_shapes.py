@@ -111,7 +111,9 @@ class _Reader:
         else:
             name, hull = shape.geometry, hull_of(_primitive(shape))
         vertices = (hull.corners * scale) @ place.R.T + place.p
-        return Shape(shape.kind, name, vertices, hull.volume * float(abs(scale.prod())), hull.closed)
+        return Shape(
+            shape.kind, name, vertices, hull.volume * float(abs(scale.prod())), hull.closed
+        )
 
 
 def _primitive(shape: ShapeRef) -> Any:
