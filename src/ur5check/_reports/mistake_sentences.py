@@ -63,6 +63,8 @@ def advice(found: RecognizedMistake) -> str:
 
 def details(found: RecognizedMistake) -> tuple[str, ...]:
     """How the mistake was made, link by link; empty for the whole arm."""
+    if found.difference is not None:
+        return ()
     return tuple(
         f"link {link}: {_detail(explained)}"
         for link, explained in zip(found.links, found.explained, strict=True)
@@ -131,6 +133,7 @@ def _values(found: ArmDifference, names: Mapping[Side, str]) -> dict[str, str]:
         "angles": joined([f"{np.degrees(value):+.4g}°" for _, value in found.joints]),
         "base": base_in_words(found.base),
         "gravity": joined([f"{np.linalg.norm(g):.6g}" for g in found.gravity]),
+        "rounded": found.rounded,
         "motors": f"in {having[0]} only" if len(having) == 1 else "different in the two",
     }
 

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from ..._robot.serial_arm import SerialArm
-from ..arm_pair import Side
 from .cylinder_constant import cut_twelfths, with_exact_twelfth
 from .decimals import Writing, written_as
 from .rounded_angles import rounded_angles, with_exact_angles
 
-__all__ = ["GRAVITY", "STEPS", "Arms", "Correction"]
+__all__ = ["GRAVITY", "STEPS", "Arms", "Correction", "Side", "written_out"]
+
+Side = Literal["a", "b"]
 
 #: Standard gravity [m/s²] (3rd CGPM, 1901): 9.8, 9.81, 9.806 and 9.807 write it with fewer digits.
 GRAVITY = 9.80665
@@ -26,12 +28,14 @@ class Correction:
     """One kind of rounded constant corrected in one arm.
 
     cause : a clause;  where : which transforms or links;  arm : the arm afterwards
+    links : the links' numbers; 0 for the base
     """
 
     cause: str
     side: Side
     where: str
     arm: SerialArm
+    links: tuple[int, ...] = ()
 
 
 def angles(arms: Arms) -> Iterator[Correction]:
@@ -45,7 +49,8 @@ def angles(arms: Arms) -> Iterator[Correction]:
             )
             arm = with_exact_angles(arm, group)
             where = ", ".join(each.where for each in group)
-            yield Correction(_in_words(constant, writing), side, where, arm)
+            links = tuple(each.place for each in group)
+            yield Correction(_in_words(constant, writing), side, where, arm, links)
 
 
 def twelfths(arms: Arms) -> Iterator[Correction]:
@@ -56,7 +61,8 @@ def twelfths(arms: Arms) -> Iterator[Correction]:
             group = tuple(cut for cut in found if cut.constant == constant)
             arm = with_exact_twelfth(arm, group)
             where = ", ".join(f"link {cut.link}" for cut in group)
-            yield Correction(f"1/12 written as {constant}", side, where, arm)
+            links = tuple(cut.link for cut in group)
+            yield Correction(f"1/12 written as {constant}", side, where, arm, links)
 
 
 def gravities(arms: Arms) -> Iterator[Correction]:
@@ -80,3 +86,20 @@ STEPS: tuple[Callable[[Arms], Iterator[Correction]], ...] = (angles, twelfths, g
 
 def _in_words(constant: str, writing: Writing) -> str:
     return f"{constant} written as {writing.text} ({writing.decimals} decimals)"
+
+
+def written_out(arms: Arms) -> tuple[Arms, tuple[Correction, ...]]:
+    """Both arms with angles and 1/12 exact, and the corrections that were made.
+
+    What both arms round in the same way in the same places makes no difference and is left alone.
+    """
+    arms, made = dict(arms), []
+    for step in (angles, twelfths):
+        found = list(step(arms))
+        kinds = [
+            {(each.cause, each.where) for each in found if each.side == side} for side in ("a", "b")
+        ]
+        if kinds[0] != kinds[1]:
+            arms |= {correction.side: correction.arm for correction in found}
+            made += found
+    return arms, tuple(made)
