@@ -28,14 +28,14 @@ def rounded(arm: SerialArm, digits: float, *, base: bool = False) -> SerialArm:
 PAPER = ur5check.load("paper")
 
 
-@pytest.mark.parametrize("digits", [1.5708, 1.5707, 1.571, 1.57])
+@pytest.mark.parametrize("digits", [1.5708, 1.5707, 1.57])
 @pytest.mark.parametrize("swapped", [False, True])
 def test_rounded_quarter_turns_explain_the_difference(digits, swapped):
     pair = (PAPER, rounded(PAPER, digits))
     d = diff(*(reversed(pair) if swapped else pair), samples=50)
     assert d.pair.alignment.exact
     assert d.rounding_explains
-    assert d.agrees == (digits == 1.5708)  # 1e-4 rad cost more than a ten-thousandth
+    assert d.agrees == (digits != 1.57)  # 8e-4 rad cost more than a ten-thousandth
     assert [each.side for each in d.pair.corrections] == ["a" if swapped else "b"]
     found = explain(d)
     assert {mistake.id for mistake in found.diagnosis.mistakes} == {"rotation-rounded"}

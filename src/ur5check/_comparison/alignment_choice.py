@@ -44,7 +44,7 @@ _STATES, _FIFTHS, _SEED = 20, 5, 0
 _NOTHING = 1e-9
 
 #: Of many ways to put two arms' bodies side by side, one always fits a little better: by chance,
-#: where the numbers differ all over.  One that changes more is believed if it leaves less than half.
+#: where the numbers differ all over.  One that changes more must leave less than half.
 FAR_BETTER = 0.5
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -26,10 +26,12 @@ from .alignment import (
     numbers_as_written,
     same_recipe,
 )
-from .rounded_constants.exact_constants import Arms, Correction, Side, written_out
+from .rounded_constants.exact_constants import Arms, Correction, Side, angles, twelfths, written_out
 from .rounded_constants.rounded_angles import with_angles_written_out
 
 __all__ = ["Pair", "Side", "pair_as_written", "pair_up"]
+
+_SAME_MOMENT = 1e-6  # of the largest entry: fewer digits than any table carries
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +46,7 @@ class Pair:
         inertias are compared, T_{a,i ← b,i}
     number_by_number : whether both sources place their frames by one rule and are compared as they
         are written, wherever their frames stand in space
+    rounded : the pair with constants as they were written, where this one has them exact
     """
 
     a: SerialArm
@@ -52,10 +55,25 @@ class Pair:
     alignment: Alignment
     link_maps: tuple[Transform, ...]
     number_by_number: bool
+    rounded: Pair | None = None
 
     @cached_property
     def _written_out(self) -> tuple[Arms, tuple[Correction, ...]]:
-        return written_out({"a": self.a, "b": self.given_b})
+        arms, made = written_out(angles, {"a": self.a, "b": self.given_b})
+        more, cut = written_out(twelfths, arms)
+        if len({correction.side for correction in cut}) != 1:
+            return arms, made
+        # A 1/12 that one arm cut off is the cause only where it makes the tensors equal.
+        exact = _paired(more["a"], more["b"], self.alignment, not self.alignment.exact)
+        links = {link - 1 for correction in cut for link in correction.links}
+        bodies = zip(exact.a.links, exact.inertias_b(), strict=True)
+        same = all(
+            np.abs(link.inertia.tensor - body.tensor).max()
+            <= _SAME_MOMENT * np.abs(body.tensor).max()
+            for i, (link, body) in enumerate(bodies)
+            if i in links
+        )
+        return (more, (*made, *cut)) if same else (arms, made)
 
     @property
     def corrections(self) -> tuple[Correction, ...]:
@@ -70,7 +88,8 @@ class Pair:
         if not corrections:
             return self
         as_written = not self.alignment.exact
-        return _paired(arms["a"], arms["b"], self.alignment, as_written)
+        exact = _paired(arms["a"], arms["b"], self.alignment, as_written)
+        return replace(exact, rounded=self)
 
     @property
     def effort_limits(self) -> Array:

@@ -13,7 +13,17 @@ from .cylinder_constant import cut_twelfths, with_exact_twelfth
 from .decimals import Writing, written_as
 from .rounded_angles import rounded_angles, with_exact_angles
 
-__all__ = ["GRAVITY", "STEPS", "Arms", "Correction", "Side", "written_out"]
+__all__ = [
+    "GRAVITY",
+    "STEPS",
+    "Arms",
+    "Correction",
+    "Side",
+    "Step",
+    "angles",
+    "twelfths",
+    "written_out",
+]
 
 Side = Literal["a", "b"]
 
@@ -21,6 +31,7 @@ Side = Literal["a", "b"]
 GRAVITY = 9.80665
 
 Arms = dict[Side, SerialArm]
+Step = Callable[[Arms], Iterator["Correction"]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,25 +92,20 @@ def gravities(arms: Arms) -> Iterator[Correction]:
 
 
 #: The steps of an error budget, in order.
-STEPS: tuple[Callable[[Arms], Iterator[Correction]], ...] = (angles, twelfths, gravities)
+STEPS: tuple[Step, ...] = (angles, twelfths, gravities)
 
 
 def _in_words(constant: str, writing: Writing) -> str:
     return f"{constant} written as {writing.text} ({writing.decimals} decimals)"
 
 
-def written_out(arms: Arms) -> tuple[Arms, tuple[Correction, ...]]:
-    """Both arms with angles and 1/12 exact, and the corrections that were made.
+def written_out(step: Step, arms: Arms) -> tuple[Arms, tuple[Correction, ...]]:
+    """Both arms after one step, and the corrections that were made.
 
     What both arms round in the same way in the same places makes no difference and is left alone.
     """
-    arms, made = dict(arms), []
-    for step in (angles, twelfths):
-        found = list(step(arms))
-        kinds = [
-            {(each.cause, each.where) for each in found if each.side == side} for side in ("a", "b")
-        ]
-        if kinds[0] != kinds[1]:
-            arms |= {correction.side: correction.arm for correction in found}
-            made += found
-    return arms, tuple(made)
+    found = tuple(step(arms))
+    a, b = ({(each.cause, each.where) for each in found if each.side == side} for side in "ab")
+    if a == b:
+        return arms, ()
+    return arms | {correction.side: correction.arm for correction in found}, found
