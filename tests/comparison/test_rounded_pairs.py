@@ -10,6 +10,10 @@ from arms_in_disguise import heavier, in_other_coordinates
 
 import ur5check
 from ur5check import SerialArm, Transform, diff, explain, pair_up
+from ur5check._comparison.rounded_constants.cylinder_constant import (
+    cut_twelfths,
+    with_exact_twelfth,
+)
 from ur5check._comparison.rounded_constants.rounded_angles import rounded_angles
 
 
@@ -83,3 +87,21 @@ def test_arms_that_round_alike_do_not_differ_by_rounding():
     assert rounded_angles(arm)
     assert pair_up(arm, arm).corrections == ()
     assert diff(arm, arm, samples=20).without_rounding is None
+
+
+@pytest.mark.parametrize("swapped", [False, True])
+def test_a_twelfth_cut_off_in_one_arm_explains_its_tensors(swapped):
+    exact = with_exact_twelfth(PAPER, cut_twelfths(PAPER))
+    pair = (exact, PAPER) if swapped else (PAPER, exact)
+    d = diff(*pair, samples=50)
+    assert [each.side for each in d.pair.corrections] == ["b" if swapped else "a"]
+    assert d.rounding_explains
+    assert {mistake.id for mistake in explain(d).diagnosis.mistakes} == {"twelfth-rounded"}
+
+
+def test_a_twelfth_that_leaves_other_tensors_unequal_is_not_blamed():
+    exact = with_exact_twelfth(PAPER, cut_twelfths(PAPER))
+    pair = pair_up(PAPER, heavier(exact, 1, 1.01))
+    tensors = [replace(link.inertia, tensor=1.01 * link.inertia.tensor) for link in exact.links]
+    assert pair.corrections  # masses play no part
+    assert pair_up(PAPER, exact.with_inertias(tensors)).corrections == ()
