@@ -8,10 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._dynamics.recursion import rnea
+from ..._robot.inertia import Inertia
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
 from ..alignment import arm_in_coordinates_of
 from ..arm_pair import Pair, Side, check_pair
+from ..difference import SAME_TORQUE
 from .arm_mistakes import ARM_MISTAKES, ROUNDED
 from .link_numbers import body_of, with_body
 from .mistake import ArmDifference, ArmMistake, Mistake, changed
@@ -136,14 +138,20 @@ class _RepairSequence:
         self.repaired: list[RecognizedMistake] = []
 
     def write_out(self, pair: Pair) -> None:
-        """Rounded constants of the pair, which the reading's arms have exact already."""
+        """Rounded constants of the pair, which the reading's arms have exact already.
+
+        Eleven digits of π/2 change no torque, and are no mistake.
+        """
         arms: dict[Side, SerialArm] = {"a": pair.a, "b": pair.b}
         for correction in pair.corrections:
             arm = correction.arm
             if correction.side == "b":
                 arm = arm_in_coordinates_of(pair.a, arm, pair.alignment)
-            arms[correction.side] = arm
+            before, arms[correction.side] = arms[correction.side], arm
             after = _rms(arms["a"], arms["b"], self.states)
+            size = _rms(arm, arm.with_inertias([Inertia.zero()] * arm.n), self.states)
+            if _rms(before, arm, self.states) <= SAME_TORQUE * size:
+                continue
             difference = ArmDifference(
                 correction.side,
                 links=tuple(link for link in correction.links if link),
