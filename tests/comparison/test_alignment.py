@@ -6,29 +6,23 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from arms_in_disguise import in_other_coordinates, with_tool
 from hypothesis import given
 from hypothesis import strategies as st
 
 import ur5check
 from examples import UR5S, planar_arm, random_arm
 from ur5check import strategies
-from ur5check._comparison.alignment import SAME_LENGTH, align, arm_in_coordinates_of
+from ur5check._comparison.alignment import (
+    SAME_LENGTH,
+    align,
+    align_as_written,
+    arm_in_coordinates_of,
+)
+from ur5check._comparison.alignment_paths import Undetermined
 from ur5check._errors import UsageError
-from ur5check._robot import Joint, Limits, SerialArm, Transform
+from ur5check._robot import Joint, Limits, Transform
 from ur5check._robot.states import random_states
-
-
-def in_other_coordinates(arm, T_ab, signs, offsets):
-    """The same arm, its base moved and its joints counted otherwise: q' = s ∘ q + o."""
-    joints, links = [], []
-    for joint, link, sign, offset in zip(arm.joints, arm.links, signs, offsets, strict=True):
-        turned = Joint(joint.name, joint.axis * sign, joint.kind, joint.limits)
-        joints.append(turned)
-        links.append(replace(link, link_tip_frame=turned.motion(-offset) @ link.link_tip_frame))
-    back = T_ab.inverse()
-    return SerialArm(
-        "other", tuple(joints), tuple(links), back @ arm.base, back.R @ np.asarray(arm.gravity)
-    )
 
 
 def tools_apart(a, b, alignment):
@@ -114,24 +108,20 @@ def test_a_shifted_zero_of_a_joint_that_tilts_in_gravity_stays_with_the_joint():
 
 
 def test_without_a_common_tool_the_last_zero_is_said_to_be_unknown():
-    arm = ur5check.load("appendix")
-    last = arm.links[-1]
-    bent = replace(
-        last, link_tip_frame=last.link_tip_frame @ Transform.from_rpy((0, 0.1, 0), (0.3, 0.2, 0.1))
-    )
-    other = replace(arm, links=(*arm.links[:-1], bent))
+    arm = ur5check.load("appendix")  # whose last link is round: torques do not show it either
+    other = with_tool(arm, Transform.from_rpy((0, 0.1, 0), (0.3, 0.2, 0.1)))
     found = align(arm, other)
     assert found.exact
     assert found.offsets[-1] == 0.0
-    assert "zero of joint 6" in found.unknown[0]
-    assert "tool frame" in found.unknown[0]
+    assert found.unknown == (Undetermined(6, "tool"),)
 
 
 def test_joints_on_one_axis_are_said_to_show_their_sum_only():
+    # A point mass on both axes: torques do not show how the first link is turned.
     arm = planar_arm((0.0, 0.5, 0.3), (1.0, 2.0, 1.0))
     found = align(arm, arm)
     assert found.exact
-    assert any("only their sum shows" in sentence for sentence in found.unknown)
+    assert found.unknown == (Undetermined(1, "same line"),)
 
 
 def test_different_geometry_is_not_made_to_fit():
@@ -141,7 +131,24 @@ def test_different_geometry_is_not_made_to_fit():
     np.testing.assert_array_equal(found.signs, np.ones(6))
     np.testing.assert_array_equal(found.offsets, np.zeros(6))
     assert found.axis_distance[2] == pytest.approx(0.85, abs=1e-3)  # 2 × 0.425 m
-    assert "reversed" in found.notes[0]  # that another reading of the angles nearly fits is said
+    # Other readings of the angles make the axes coincide, with other bodies: that is said.
+    assert (found.others[0].signs < 0).any()
+    assert all(other.exact and other.torque_difference > 1.0 for other in found.others)
+
+
+def test_the_nearest_alignment_of_arms_that_do_not_align_is_named():
+    arm = ur5check.load("paper")
+    second = arm.links[1]
+    longer = replace(second.link_tip_frame, p=second.link_tip_frame.p + [1e-4, 0, 0])
+    other = replace(
+        arm, links=(arm.links[0], replace(second, link_tip_frame=longer), *arm.links[2:])
+    )
+    other = in_other_coordinates(other, Transform.identity(), [1, 1, -1, 1, 1, 1], np.zeros(6))
+    found = align(arm, other)
+    assert not found.exact
+    assert found.nearest is not None
+    np.testing.assert_array_equal(found.nearest.signs, [1, 1, -1, 1, 1, 1])
+    assert found.nearest.axis_distance.max() == pytest.approx(1e-4)
 
 
 def test_a_millimetre_is_a_difference():
@@ -178,3 +185,16 @@ def test_arms_with_other_joints_are_refused():
     slide = replace(random_arm(2, seed=0), joints=(Joint("a", [0, 0, 1], "prismatic"),) * 2)
     with pytest.raises(UsageError, match=r"revolute in .* but prismatic in"):
         align(planar_arm((0.5, 0.3), (1.0, 1.0)), slide)
+
+
+def test_as_written_a_lost_offset_and_a_zero_of_two_degrees_are_differences():
+    arm = ur5check.load("paper")
+    for offset in (np.pi / 2, np.radians(2.0)):
+        offsets = [0.0, 0.0, offset, 0.0, 0.0, 0.0]
+        other = in_other_coordinates(arm, Transform.identity(), np.ones(6), offsets)
+        np.testing.assert_allclose(align(arm, other).offsets, offsets, atol=1e-12)
+        written = align_as_written(arm, other)
+        assert not written.exact
+        np.testing.assert_array_equal(written.offsets, np.zeros(6))
+        assert ur5check.diff(arm, other, samples=50).agrees
+        assert not ur5check.diff(arm, other, samples=50, as_written=True).agrees

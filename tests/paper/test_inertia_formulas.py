@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ur5check._comparison.rounding.cylinder_constant import cut_twelfths
+from ur5check._comparison.rounded_constants.cylinder_constant import cut_twelfths
 from ur5check._paper.evidence import Evidence
 from ur5check._paper.inertia_formulas import (
     EQ_3,

@@ -69,7 +69,7 @@ def test_every_finding_has_its_evidence(document: Document, explanation: Explana
         moved = finding.before != finding.after
         assert removes == (f"{100 * removed(finding, diagnosis):.1f} %" if moved else "–")
     assert len(words.rows) == len(evidence.rows)
-    assert len(details.rows) == sum(len(finding.links) for finding in diagnosis.mistakes)
+    assert len(details.rows) == sum(len(finding.explained) for finding in diagnosis.mistakes)
 
 
 def test_what_changes_no_torque_comes_last(equal: Explanation) -> None:

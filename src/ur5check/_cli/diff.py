@@ -3,7 +3,9 @@ attributed to, the known mistakes that explain it, and the configuration within
 the joint limits where it is largest.
 
 Exit code 0: no torque differs by more than the tolerance, and damping, friction,
-limits, motors and gravity are the same. 1: something differs.
+limits, motors and gravity are the same. 1: something differs.  The tolerance is a
+millionth of the largest torque, or a ten-thousandth where rounded digits such as
+1.5708 for π/2 explain the difference, unless --tolerance gives another.
 """
 
 from __future__ import annotations
@@ -46,6 +48,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--quick",
         action="store_true",
         help="differences and attribution only; no diagnosis of mistakes",
+    )
+    parser.add_argument(
+        "--as-written",
+        action="store_true",
+        help="compare joint angles as they are written; reverse and shift no joint",
     )
     parser.add_argument(
         "--repair", metavar="FILE", help="write B with its diagnosed mistakes repaired, as URDF"
@@ -106,6 +113,7 @@ def run(args: argparse.Namespace) -> int:
         gravity=args.gravity,
         tolerance=args.tolerance,
         uncertainty=args.uncertainty,
+        as_written=args.as_written,
     )
     explanation = None
     if d.gravity_only:

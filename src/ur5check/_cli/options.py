@@ -40,7 +40,7 @@ MODELS = f"MODEL is paper, paper-listing, appendix, erd-ur5,\nor a file: {suffix
 _CHAIN = ("base", "tip", "arm")
 
 # Options without a value that change what a report says.
-_FLAGS = ("quick", "by_parameter")
+_FLAGS = ("quick", "as_written", "by_parameter")
 
 
 def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True) -> None:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -30,6 +31,7 @@ __all__ = [
     "NEAR_ANGLE",
     "NEAR_LENGTH",
     "AlignmentPath",
+    "Undetermined",
     "alignment_paths",
     "as_written",
     "met_at_the_tool",
@@ -42,6 +44,19 @@ NEAR_LENGTH = 1e-3  # [m]
 NEAR_ANGLE = 1e-3  # [rad]
 
 _NOTHING = 1e-9  # [m] or [rad]: rounding of a product of transforms
+
+
+@dataclass(frozen=True)
+class Undetermined:
+    """A joint whose zero does not show in the axes.
+
+    joint : from 1
+    reason : "same line": it turns about the line of the next joint, only their sum shows; "tool":
+        only a common tool frame shows it, and the arms have none
+    """
+
+    joint: int
+    reason: Literal["same line", "tool"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,13 +76,17 @@ class FreeTranslation:
     ) -> tuple[FreeTranslation, Array, Array]:
         """Close `gap` as far as sliding can; a gap along the axis `along` is none.
 
+        The base is shifted before a joint's zero is.
+
         Returns the free translation that remains, the translation made, and its meaning (3 + n,).
         """
         seen_part = np.eye(3) if along is None else np.eye(3) - np.outer(along, along)
         seen = seen_part @ self.directions
         u, sizes, vt = np.linalg.svd(seen, full_matrices=True)
         rank = int((sizes > 1e-9).sum())  # directions are unit vectors: parallel means rounding
-        y = vt[:rank].T @ ((u[:, :rank].T @ (seen_part @ gap)) / sizes[:rank])
+        by_base = np.where(np.abs(self.meanings[3:]).max(axis=0, initial=0.0) > 1e-9, 0.0, seen)
+        y = np.linalg.pinv(by_base, rcond=1e-9) @ (seen_part @ gap)
+        y += vt[:rank].T @ ((u[:, :rank].T @ (seen_part @ gap - seen @ y)) / sizes[:rank])
         rest = vt[rank:].T
         left = FreeTranslation(self.directions @ rest, self.meanings @ rest)
         return left, self.directions @ y, self.meanings @ y
@@ -93,7 +112,7 @@ class AlignmentPath:
     offsets: tuple[float, ...]
     free_translation: FreeTranslation
     slid: Array  # (3 + n,): translation made so far, as shifts of the base and joint offsets
-    unknown: tuple[str, ...]
+    unknown: tuple[Undetermined, ...]
 
 
 def alignment_paths(
@@ -166,11 +185,9 @@ def _turns(
     for angle in angles:
         yield _arrived(a, b, path, i, angle, targets)
     if not certain:
-        sentence = (
-            f"the zero of joint {i + 1} ({a.joints[i].name}): it turns about the axis of the next, "
-            "only their sum shows"
-        )
-        unsure = replace(path, unknown=(*path.unknown, sentence))
+        unsure = path
+        if joint.kind == "revolute":
+            unsure = replace(path, unknown=(*path.unknown, Undetermined(i + 1, "same line")))
         yield _arrived(a, b, unsure, i, 0.0, targets)
 
 
@@ -256,10 +273,11 @@ def _gap(
     return angle, float(np.linalg.norm(across(path.here.p - targets[i].p, t)))
 
 
-def met_at_the_tool(
-    a: SerialArm, b: SerialArm, path: AlignmentPath
-) -> tuple[AlignmentPath, float, tuple[str, ...]]:
-    """The last joint's zero and the last free translation, from a common tool frame if any."""
+def met_at_the_tool(a: SerialArm, b: SerialArm, path: AlignmentPath) -> tuple[AlignmentPath, float]:
+    """The path and the last joint's zero that bring the tool frames together.
+
+    The path is marked as undetermined where the arms have no common tool frame.
+    """
     last, joint, P = b.n - 1, b.joints[-1], b.links[-1].link_tip_frame
     tool_a = tool_pose(a)
     rotation = Transform.identity()
@@ -274,18 +292,10 @@ def met_at_the_tool(
     )
     rest = tool_a.inverse() @ Transform.translation(shift) @ path.here @ rotation @ P
     if rest.angle() > NEAR_ANGLE or np.linalg.norm(rest.p) > NEAR_LENGTH:
-        unknown = f"the zero of joint {b.n} ({a.joints[last].name})"
-        if path.free_translation.directions.shape[1]:
-            unknown += " and a shift along parallel axes"
-        unknown += ": only a common tool frame shows it, and these arms have none"
-        return (
-            path,
-            0.0,
-            (unknown,),
-        )
+        return replace(path, unknown=(*path.unknown, Undetermined(b.n, "tool"))), 0.0
     own = path.here.R @ joint.axis * meaning[3 + last]  # the last joint's slide moves its link only
     here = Transform(path.here.R, path.here.p + shift - own)
     met = replace(path, here=here, free_translation=free_translation, slid=path.slid + meaning)
     if last == 0:  # a single joint: its zero and a turn of the base are one freedom
-        return replace(met, here=here @ rotation), 0.0, ()
-    return met, (signed_angle(rotation.R, joint.axis) if joint.kind == "revolute" else 0.0), ()
+        return replace(met, here=here @ rotation), 0.0
+    return met, (signed_angle(rotation.R, joint.axis) if joint.kind == "revolute" else 0.0)

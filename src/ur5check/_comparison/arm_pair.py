@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -23,11 +23,15 @@ from .alignment import (
     align,
     align_as_written,
     arm_in_coordinates_of,
+    numbers_as_written,
+    same_recipe,
 )
+from .rounded_constants.exact_constants import Arms, Correction, Side, angles, twelfths, written_out
+from .rounded_constants.rounded_angles import with_angles_written_out
 
-__all__ = ["Pair", "Side", "pair_as_written", "pair_up", "same_recipe"]
+__all__ = ["Pair", "Side", "pair_as_written", "pair_up"]
 
-Side = Literal["a", "b"]
+_SAME_MOMENT = 1e-6  # of the largest entry: fewer digits than any table carries
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +54,8 @@ class Pair:
     number_by_number : bool
         Whether both sources place their frames by one rule and are compared as they are written,
         wherever their frames stand in space.
+    rounded : Pair or None
+        The pair with constants as they were written, where this one has them exact.
     """
 
     a: SerialArm
@@ -58,6 +64,41 @@ class Pair:
     alignment: Alignment
     link_maps: tuple[Transform, ...]
     number_by_number: bool
+    rounded: Pair | None = None
+
+    @cached_property
+    def _written_out(self) -> tuple[Arms, tuple[Correction, ...]]:
+        arms, made = written_out(angles, {"a": self.a, "b": self.given_b})
+        more, cut = written_out(twelfths, arms)
+        if len({correction.side for correction in cut}) != 1:
+            return arms, made
+        # A 1/12 that one arm cut off is the cause only where it makes the tensors equal.
+        exact = _paired(more["a"], more["b"], self.alignment, not self.alignment.exact)
+        links = {link - 1 for correction in cut for link in correction.links}
+        bodies = zip(exact.a.links, exact.inertias_b(), strict=True)
+        same = all(
+            np.abs(link.inertia.tensor - body.tensor).max()
+            <= _SAME_MOMENT * np.abs(body.tensor).max()
+            for i, (link, body) in enumerate(bodies)
+            if i in links
+        )
+        return (more, (*made, *cut)) if same else (arms, made)
+
+    @property
+    def corrections(self) -> tuple[Correction, ...]:
+        """Constants written with few digits in either arm, each with the arm that has it exact.
+
+        Gravity is compared by itself."""
+        return self._written_out[1]
+
+    def without_rounding(self) -> Pair:
+        """The same pair, aligned in the same way, with every rounded constant exact."""
+        arms, corrections = self._written_out
+        if not corrections:
+            return self
+        as_written = not self.alignment.exact
+        exact = _paired(arms["a"], arms["b"], self.alignment, as_written)
+        return replace(exact, rounded=self)
 
     @property
     def effort_limits(self) -> Array:
@@ -116,7 +157,7 @@ class Pair:
         return arm.with_gravity((self.a if gravity == "a" else self.b).gravity)
 
 
-def pair_up(a: ArmSource, b: ArmSource) -> Pair:
+def pair_up(a: ArmSource, b: ArmSource, *, as_written: bool = False) -> Pair:
     """Align b with a and find the frames in which their links correspond.
 
     Arms with the same label are given labels that tell them apart.
@@ -125,6 +166,9 @@ def pair_up(a: ArmSource, b: ArmSource) -> Pair:
     ----------
     a, b : name, path, pin.Model or SerialArm
         See `load`.
+    as_written : bool
+        Whether joint angles are compared as they stand; else joints are reversed and shifted so
+        that the axes coincide.
 
     Returns
     -------
@@ -144,6 +188,8 @@ def pair_up(a: ArmSource, b: ArmSource) -> Pair:
     ('paper', 'appendix', True)
     """
     arm_a, arm_b = labelled((as_arm(a), as_arm(b)))
+    if as_written:
+        return pair_as_written(arm_a, arm_b)
     alignment = align(arm_a, arm_b)
     return _paired(arm_a, arm_b, alignment, not alignment.exact)
 
@@ -167,48 +213,29 @@ def pair_as_written(a: SerialArm, b: SerialArm) -> Pair:
 def _paired(a: SerialArm, b: SerialArm, alignment: Alignment, as_written: bool) -> Pair:
     moved = arm_in_coordinates_of(a, b, alignment)
     number_by_number = as_written and same_recipe(a, moved)
-    maps = _maps_as_written(a, moved) if number_by_number else _maps_in_space(a, moved)
+    maps = numbers_as_written(a, moved) if number_by_number else _maps_in_space(a, b, alignment)
     return Pair(a, moved, b, alignment, maps, number_by_number)
 
 
-def _maps_as_written(a: SerialArm, b: SerialArm) -> tuple[Transform, ...]:
-    """Source frames placed by the same rule are taken as the same, wherever they stand in space:
-    a wrong length then counts as geometry, and not as a wrong centre of mass too."""
-    return tuple(
-        la.source_frame @ lb.source_frame.inverse() for la, lb in zip(a.links, b.links, strict=True)
-    )
-
-
-def _maps_in_space(a: SerialArm, b: SerialArm) -> tuple[Transform, ...]:
-    """Link frames correspond as they stand in space at q = 0.
+def _maps_in_space(a: SerialArm, b: SerialArm, alignment: Alignment) -> tuple[Transform, ...]:
+    """Link frames correspond as they stand in space at q = 0, rounded angles as they are meant.
 
     Two files written in the same frames are compared digit by digit, untouched by rounding: a map
     between source frames that is the identity within the tolerance of the axes becomes exactly so.
     """
+    exact_a, exact_b = with_angles_written_out(a), with_angles_written_out(b)
+    moved = arm_in_coordinates_of(exact_a, exact_b, alignment)
     rest = [0.0] * a.n
     maps = []
-    for la, lb, T_a, T_b, written in zip(
-        a.links,
-        b.links,
-        link_frames(a, rest),
-        link_frames(b, rest),
-        _maps_as_written(a, b),
-        strict=True,
+    for i, (T_a, T_b) in enumerate(
+        zip(link_frames(exact_a, rest), link_frames(moved, rest), strict=True)
     ):
         T = Transform.from_matrix(T_a).inverse() @ Transform.from_matrix(T_b)
-        E = la.source_frame.inverse() @ T @ lb.source_frame
-        same = E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH
-        maps.append(written if same else T)
+        E = exact_a.links[i].source_frame.inverse() @ T @ exact_b.links[i].source_frame
+        if E.angle() < SAME_ANGLE and abs(E.p).max() < SAME_LENGTH:
+            maps.append(a.links[i].source_frame @ b.links[i].source_frame.inverse())
+        elif exact_a is a and exact_b is b:
+            maps.append(T)
+        else:
+            maps.append(a.links[i].source_frame @ E @ b.links[i].source_frame.inverse())
     return tuple(maps)
-
-
-def same_recipe(a: SerialArm, b: SerialArm) -> bool:
-    """Whether two sources put their link frames by the same rule, as far as their numbers show.
-
-    Each link's numbers are held at the same end of it, and each joint turns about the same axis of
-    its own frame: two DH tables do so, and two URDFs that descend from one.
-    """
-    return all(
-        la.held_near == lb.held_near and np.abs(ja.axis - jb.axis).max() < SAME_ANGLE
-        for la, lb, ja, jb in zip(a.links, b.links, a.joints, b.joints, strict=True)
-    )

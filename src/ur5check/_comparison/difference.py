@@ -24,11 +24,15 @@ from .other_numbers import OtherNumber, compare_other_numbers
 from .parameter_table import LinkParameters, compare_parameters
 from .torque_band import TorqueBand, torque_band
 
-__all__ = ["SAME_TORQUE", "Difference", "compare", "diff", "under_gravity"]
+__all__ = ["SAME_BUT_FOR_DIGITS", "SAME_TORQUE", "Difference", "compare", "diff", "under_gravity"]
 
 #: Two arms agree if no torque differs by more than this part of the largest one.  Data sheets and
 #: URDFs carry four to six digits; a millionth lies below all of them and well above rounding.
 SAME_TORQUE = 1e-6
+
+#: The same where constants written with few digits are all that differs: 1.5708 for π/2 costs some
+#: 1e-5 of the largest torque, 1.57 a hundred times as much, which a controller would notice.
+SAME_BUT_FOR_DIGITS = 1e-4
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -58,6 +62,9 @@ class Difference(Result):
         Largest torque difference [N m] that counts as agreement, per joint.
     band : TorqueBand or None
         How far apart the stated uncertainties let the torques be; None where none were stated.
+    without_rounding : float or None
+        The largest |Δτ| with constants exact that either arm writes with few digits, as 1.5708 for
+        π/2 (`Pair.corrections`); None where there are none [N m].
     """
 
     pair: Pair
@@ -71,6 +78,7 @@ class Difference(Result):
     others: tuple[OtherNumber, ...]
     tolerance: Array
     band: TorqueBand | None = None
+    without_rounding: float | None = None
 
     @property
     def same_torques(self) -> bool:
@@ -87,6 +95,13 @@ class Difference(Result):
         """Whether the torques agree, and all else that a joint's motion depends on is the same."""
         return self.same_torques and not any(other.moves_joints for other in self.others)
 
+    @property
+    def rounding_explains(self) -> bool:
+        """Whether a difference is there, and none with rounded constants exact."""
+        same = SAME_TORQUE * float(np.abs(self.tau_a).max())
+        rest = self.without_rounding
+        return rest is not None and rest <= same < float(self.torques.maximum.max())
+
 
 def diff(
     a: ArmSource,
@@ -97,6 +112,7 @@ def diff(
     gravity: ArrayLike | None = None,
     tolerance: float | str | None = None,
     uncertainty: str | Path | None = None,
+    as_written: bool = False,
 ) -> Difference:
     """Compare two arms: geometry, inertias, torques, and the attribution of the difference.
 
@@ -110,6 +126,9 @@ def diff(
         Of the states, not negative (see `random_states`).
     gravity : array-like, shape (3,), optional
         In each arm's base frame [m/s²]; each arm's own when None.
+    as_written : bool
+        Whether joint angles are compared as they stand; else joints are reversed and shifted where
+        that makes the axes coincide.
     tolerance : float or str, optional
         Torque difference that counts as agreement [N m], or "2%" of each joint's effort limit; a
         millionth of the largest torque when None.
@@ -136,7 +155,15 @@ def diff(
     """
     first, second = (under_gravity(load(source), gravity) for source in (a, b))
     states = random_states(first.n, samples, seed)
-    return compare(first, second, states, seed, tolerance=tolerance, uncertainty=uncertainty)
+    return compare(
+        first,
+        second,
+        states,
+        seed,
+        tolerance=tolerance,
+        uncertainty=uncertainty,
+        as_written=as_written,
+    )
 
 
 def under_gravity(arm: SerialArm, gravity: ArrayLike | None) -> SerialArm:
@@ -152,15 +179,17 @@ def compare(
     *,
     tolerance: float | str | None = None,
     uncertainty: str | Path | None = None,
+    as_written: bool = False,
 ) -> Difference:
     """`diff` on two arms at given states."""
-    pair = pair_up(a, b)
+    pair = pair_up(a, b, as_written=as_written)
     stated = None if uncertainty is None else read_uncertainty(uncertainty, pair.a, pair.given_b)
     if a.unknown_tensors or b.unknown_tensors:
         still = np.zeros_like(states.q)
         states = States(states.q, still, still)
     tau_a = rnea(pair.a, states.q, states.qd, states.qdd)
     attribution = attribute(pair, states)
+    without_rounding = _without_rounding(pair, states)
     return Difference(
         pair,
         states,
@@ -171,8 +200,9 @@ def compare(
         tau_a,
         attribution,
         compare_other_numbers(pair),
-        _tolerance(pair, tolerance, SAME_TORQUE * float(np.abs(tau_a).max())),
+        _tolerance(pair, tolerance, _default_tolerance(tau_a, without_rounding)),
         None if stated is None else torque_band(pair, states, attribution.delta, stated, seed),
+        without_rounding,
     )
 
 
@@ -194,3 +224,18 @@ def _tolerance(pair: Pair, given: float | str | None, default: float) -> Array:
         joint = pair.a.joints[int(np.isnan(limits).argmax())].name
         raise UsageError(f"tolerance {text}: no effort limit of joint {joint!r}; give it in N m")
     return np.asarray(size / 100.0 * limits)
+
+
+def _default_tolerance(tau_a: Array, without_rounding: float | None) -> float:
+    """Larger where rounded digits are all that differs [N m]."""
+    largest = float(np.abs(tau_a).max())
+    rounding = without_rounding is not None and without_rounding <= SAME_TORQUE * largest
+    return (SAME_BUT_FOR_DIGITS if rounding else SAME_TORQUE) * largest
+
+
+def _without_rounding(pair: Pair, states: States) -> float | None:
+    if not pair.corrections:
+        return None
+    exact = pair.without_rounding()
+    tau_a, tau_b = (rnea(arm, states.q, states.qd, states.qdd) for arm in (exact.a, exact.b))
+    return float(np.abs(tau_a - tau_b).max())

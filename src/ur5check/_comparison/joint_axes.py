@@ -8,6 +8,8 @@ from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array, Transform
 
 __all__ = [
+    "SAME_ANGLE",
+    "SAME_LENGTH",
     "across",
     "angle_about",
     "joint_starts",
@@ -16,6 +18,11 @@ __all__ = [
     "tool_angle",
     "tool_pose",
 ]
+
+#: Two axes are one line if they are closer than this.  No data sheet, table or URDF that people
+#: write by hand carries more digits than the micrometre and the microradian.
+SAME_LENGTH = 1e-6  # [m]
+SAME_ANGLE = 1e-6  # [rad]
 
 
 def joint_starts(arm: SerialArm) -> list[Transform]:

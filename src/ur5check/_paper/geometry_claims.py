@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .._comparison.rounding.decimals import half_units
+from .._comparison.rounded_constants.decimals import half_units
 from .._dynamics.kinematics import forward_kinematics
 from .._io.loading import load
 from .._robot.serial_arm import SerialArm

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._comparison.diagnosis.cylinder_fit import fit_cylinder
-from .._comparison.rounding.cylinder_constant import CutTwelfth, cut_twelfths
-from .._comparison.rounding.decimals import half_units
+from .._comparison.rounded_constants.cylinder_constant import CutTwelfth, cut_twelfths
+from .._comparison.rounded_constants.decimals import half_units
 from .._robot.serial_arm import SerialArm
 
 __all__ = ["EQ_3", "FORMULAS", "Formula", "TensorFormula", "tensor_formulas", "which_formula"]

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .._comparison.rounding.cylinder_constant import CutTwelfth, cut_twelfths
+from .._comparison.rounded_constants.cylinder_constant import CutTwelfth, cut_twelfths
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .claim import Claim, ClaimOutcome, Trial, judged

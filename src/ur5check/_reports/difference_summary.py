@@ -11,6 +11,7 @@ from .._comparison.alignment import SAME_ANGLE, SAME_LENGTH
 from .._comparison.attribution import Contribution
 from .._robot.transforms import Transform
 from .diff_sections.stated_uncertainty import uncertainty_in_words
+from .rounding_sentences import constant_in_words
 from .wording import joined
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ __all__ = [
     "base_in_words",
     "contribution_in_words",
     "contributions_in_words",
+    "rounding_in_words",
     "summarize",
 ]
 
@@ -29,7 +31,7 @@ _STANDS_OUT = 3.0  # principal moments further apart than this are named
 
 def summarize(difference: Difference) -> tuple[str, ...]:
     """Three to six sentences: verdict, geometry, gravity, attribution, outliers, residual."""
-    sentences = [_verdict(difference), _geometry(difference)]
+    sentences = [_verdict(difference), *rounding_in_words(difference), _geometry(difference)]
     if not difference.same_torques:
         sentences += [
             _gravity(difference),
@@ -93,6 +95,9 @@ def _verdict(d: Difference) -> str:
     worst = int(d.torques.maximum.argmax())
     size = f"{d.torques.maximum[worst]:.3g} N m"
     joint = f"joint {worst + 1}, {d.pair.a.joints[worst].name}"
+    if d.rounding_explains:
+        within = "agree within" if d.same_torques else "are apart by up to"
+        return f"{a} and {b} {within} {size} ({joint}): rounded digits explain the difference."
     if d.same_torques:
         same = f"no torque differs by more than {size}."
         if not d.others:
@@ -101,6 +106,17 @@ def _verdict(d: Difference) -> str:
     effort = d.torques.effort[worst]
     share = "" if np.isnan(effort) else f", {d.torques.share_of_effort()[worst]:.0%} of its limit"
     return f"{a} and {b} need different {kind}: up to {size} apart ({joint}{share})."
+
+
+def rounding_in_words(d: Difference) -> tuple[str, ...]:
+    """The constants that were written with few digits, where they explain the difference."""
+    if not d.rounding_explains:
+        return ()
+    names = {"a": d.pair.a.label, "b": d.pair.b.label}
+    return tuple(
+        f"Rounded digits in {names[each.side]}: {constant_in_words(each.cause)}."
+        for each in d.pair.corrections
+    )
 
 
 def _geometry(d: Difference) -> str:
@@ -119,9 +135,14 @@ def _geometry(d: Difference) -> str:
     angles = ", ".join(joints) or "joint angles unchanged"
     base = base_in_words(alignment.T_ab)
     return (
-        f"Same axes in space: {d.pair.b.label}'s base is {base}, {angles}; "
+        f"Same axes in space{_but_for(d)}: {d.pair.b.label}'s base is {base}, {angles}; "
         f"tools agree to {d.tool.position:.1g} m."
     )
+
+
+def _but_for(d: Difference) -> str:
+    tilt = float(d.pair.alignment.axis_angle.max())
+    return f" but for rounded digits ({tilt:.1e} rad)" if tilt > SAME_ANGLE else ""
 
 
 def _unequal_reach(d: Difference) -> str:

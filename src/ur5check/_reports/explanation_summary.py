@@ -24,6 +24,9 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
     """The verdict, the mistakes that explain it, the remainder, the worst state."""
     difference = explanation.difference
     summary = difference_summary.summarize(difference)
+    if difference.rounding_explains:
+        causes = difference_summary.rounding_in_words(difference)
+        return summary[0], *causes, summary[1 + len(causes)], _worst(explanation)
     if difference.same_torques:
         same = explanation.equivalence
         if same.same_numbers:
@@ -33,7 +36,7 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
     lines = [verdict]
     if difference.pair.alignment.exact:
         lines.append(geometry)
-    lines += _mistakes(explanation.diagnosis)
+    lines += _mistakes(explanation)
     lines.append(_rest(explanation))
     lines.append(_worst(explanation))
     if difference.band is not None:
@@ -95,8 +98,11 @@ def removed(found: RecognizedMistake, diagnosis: Diagnosis) -> float:
     return (found.before - found.after) / diagnosis.before
 
 
-def _mistakes(diagnosis: Diagnosis) -> list[str]:
+def _mistakes(explanation: Explanation) -> list[str]:
+    diagnosis = explanation.diagnosis
     worth_a_line = [f for f in diagnosis.mistakes if removed(f, diagnosis) > _WORTH_A_LINE]
+    if not worth_a_line and explanation.budget.digits_suffice:
+        return ["No mistake is needed to explain the difference: the last printed digits suffice."]
     if not worth_a_line:
         return ["No single known mistake explains the difference."]
     return [

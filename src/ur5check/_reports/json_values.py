@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
 import numpy as np
@@ -74,18 +74,37 @@ class InertiaValue(msgspec.Struct, frozen=True):
     tensor: Matrix3 | None
 
 
-class AlignmentValue(msgspec.Struct, frozen=True, kw_only=True):
-    """How b was aligned with a."""
+class UndeterminedValue(msgspec.Struct, frozen=True):
+    """A joint, from 1, whose zero neither axes nor torques determine."""
 
-    exact: bool
+    joint: int
+    reason: Literal["same line", "tool"]
+
+
+class OtherAlignmentValue(msgspec.Struct, frozen=True, kw_only=True):
+    """Another alignment, and the torques that it would leave apart: RMS in parts of each joint's
+    torque, and the largest [N m].
+    """
+
     T_ab: Pose
     signs: Vector
     offsets: Vector
+    relative_difference: Number
+    torque_difference: Number
+
+
+class AlignmentValue(OtherAlignmentValue, frozen=True, kw_only=True):
+    """How b was aligned with a; `others` make the axes coincide too, the best first; `nearest` all
+    but does so, where none does.
+    """
+
+    exact: bool
     axis_angle: Vector
     axis_distance: Vector
     tool: Pose
-    unknown: list[str]
-    notes: list[str]
+    unknown: list[UndeterminedValue]
+    others: list[OtherAlignmentValue]
+    nearest: OtherAlignmentValue | None
 
 
 class OperationsValue(msgspec.Struct, frozen=True):
@@ -129,16 +148,27 @@ def model_value(arm: ArmOrTree) -> Model:
 def alignment_value(alignment: Alignment) -> AlignmentValue:
     """How b was aligned with a."""
     return AlignmentValue(
+        **_alignment(alignment),
         exact=alignment.exact,
-        T_ab=pose(alignment.T_ab),
-        signs=vector(alignment.signs),
-        offsets=vector(alignment.offsets),
         axis_angle=vector(alignment.axis_angle),
         axis_distance=vector(alignment.axis_distance),
         tool=pose(alignment.tool),
-        unknown=list(alignment.unknown),
-        notes=list(alignment.notes),
+        unknown=[UndeterminedValue(each.joint, each.reason) for each in alignment.unknown],
+        others=[OtherAlignmentValue(**_alignment(each)) for each in alignment.others],
+        nearest=None
+        if alignment.nearest is None
+        else OtherAlignmentValue(**_alignment(alignment.nearest)),
     )
+
+
+def _alignment(alignment: Alignment) -> dict[str, Any]:
+    return {
+        "T_ab": pose(alignment.T_ab),
+        "signs": vector(alignment.signs),
+        "offsets": vector(alignment.offsets),
+        "relative_difference": alignment.relative_difference,
+        "torque_difference": alignment.torque_difference,
+    }
 
 
 def inertia_value(inertia: Inertia, tensor_known: bool) -> InertiaValue:

@@ -16,6 +16,7 @@ from .._comparison.diagnosis.mistake_search import Mismatch
 from .._comparison.diagnosis.pair_readings import Explained
 from .._finding import Finding
 from .difference_summary import base_in_words
+from .rounding_sentences import constant_in_words
 from .wording import joined
 
 __all__ = ["advice", "details", "findings", "remark", "sentence", "subject"]
@@ -142,6 +143,8 @@ def details(found: RecognizedMistake) -> tuple[str, ...]:
     True
     """
     instance("found", found, RecognizedMistake, "see Diagnosis.mistakes")
+    if found.difference is not None:
+        return ()
     return tuple(
         f"link {link}: {_detail(explained)}"
         for link, explained in zip(found.links, found.explained, strict=True)
@@ -237,6 +240,7 @@ def _values(found: ArmDifference, names: Mapping[Side, str]) -> dict[str, str]:
         "angles": joined([f"{np.degrees(value):+.4g}°" for _, value in found.joints]),
         "base": base_in_words(found.base),
         "gravity": joined([f"{np.linalg.norm(g):.6g}" for g in found.gravity]),
+        "rounded": "" if found.rounded is None else constant_in_words(found.rounded),
         "motors": f"in {having[0]} only" if len(having) == 1 else "different in the two",
     }
 

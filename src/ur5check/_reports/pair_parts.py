@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from .._comparison.alignment import SAME_ANGLE
 from .._comparison.attribution import Attribution, Contribution
 from .._comparison.difference import Difference
 from .._robot.transforms import Array
+from .alignment_sentences import (
+    alignment_in_words,
+    nearest_in_words,
+    offset_in_words,
+    unknown_in_words,
+)
 from .difference_summary import base_in_words
 from .document import Column, Row, Table
 from .wording import figures, joined, link_label, percent, posture, residue
@@ -26,9 +31,7 @@ def alignment_lines(d: Difference) -> tuple[str, ...]:
         if sign < 0:
             reversed_joints.append(joint.name)
         if offset:
-            sliding = joint.kind == "prismatic"
-            by = f"{1e3 * offset:+.4g} mm" if sliding else f"{math.degrees(offset):+.6g}°"
-            shifted.append(f"{joint.name} by {by}")
+            shifted.append(f"{joint.name} by {offset_in_words(joint, offset)}")
     base = base_in_words(alignment.T_ab)
     parts = [
         f"{a.label} and {b.label} have the same base frame"
@@ -36,9 +39,7 @@ def alignment_lines(d: Difference) -> tuple[str, ...]:
         else f"the base of {b.label} is {base} (seen from {a.label})",
         f"reversed: {joined(reversed_joints)}" if reversed_joints else "no joint reversed",
         f"zeros shifted: {joined(shifted)}" if shifted else "no zero shifted",
-        f"all {a.n} axes are the same lines in space"
-        if alignment.exact
-        else "the axes are NOT the same lines in space",
+        _axes(d),
     ]
     lines = [f"Alignment found: {'; '.join(parts)}."]
     tools = "Tools" if base_in_words(alignment.tool) == "the same" else "Tools, their poses aside,"
@@ -52,9 +53,41 @@ def alignment_lines(d: Difference) -> tuple[str, ...]:
             f"Tools are up to {position} m and {angle} rad apart; furthest at q = "
             f"({', '.join(at.split())})°."
         )
-    lines += [f"Unknown: {sentence}." for sentence in alignment.unknown]
-    lines += [f"Note: {sentence}." for sentence in alignment.notes]
+    if alignment.others:
+        lines.append(_others(d))
+    lines += [f"Unknown: {unknown_in_words(each, a)}." for each in alignment.unknown]
+    if alignment.nearest is not None:
+        lines.append(f"Note: {nearest_in_words(alignment.nearest, a)}.")
     return tuple(lines)
+
+
+def _axes(d: Difference) -> str:
+    alignment = d.pair.alignment
+    if not alignment.exact:
+        return "the axes are NOT the same lines in space"
+    tilt = float(alignment.axis_angle.max())
+    but = "" if tilt <= SAME_ANGLE else f", but for rounded digits ({tilt:.1e} rad)"
+    return f"all {d.pair.a.n} axes are the same lines in space{but}"
+
+
+def _others(d: Difference) -> str:
+    """How many alignments there are, and what the next would cost."""
+    alignment = d.pair.alignment
+    count, best = len(alignment.others), alignment.others[0]
+    found = (
+        f"{alignment_in_words(best, d.pair.a)}: torques up to {figures(best.torque_difference)} "
+        "N m apart"
+    )
+    if not alignment.exact:
+        also = f"; {count - 1} more with larger ones" if count > 1 else ""
+        return (
+            f"The axes would coincide with {found}{also}. Number by number the inertias agree far "
+            "better, so joint angles are compared as they are written."
+        )
+    return (
+        f"{count + 1} alignments make the axes coincide. This one leaves torques up to "
+        f"{residue(alignment.torque_difference)} N m apart; the next, with {found}."
+    )
 
 
 def torque_table(d: Difference) -> Table:

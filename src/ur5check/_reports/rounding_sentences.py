@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from .._arguments import instance
+from .._comparison.rounded_constants.exact_constants import RoundedConstant
 from .._comparison.rounding.error_budget import BudgetItem, PrintedDigits
 
-__all__ = ["cause_in_words", "places_in_words", "rounding_in_words"]
+__all__ = ["cause_in_words", "constant_in_words", "places_in_words", "rounding_in_words"]
 
 _QUANTITIES = {"inertial parameters": "masses, centres and tensors", "lengths": "lengths"}
 
@@ -44,6 +45,15 @@ def cause_in_words(item: BudgetItem) -> str:
     cause = item.cause
     if isinstance(cause, PrintedDigits):
         return f"last printed digit of {_QUANTITIES[cause.quantity]}"
+    return _written(cause)
+
+
+def constant_in_words(cause: RoundedConstant) -> str:
+    """A constant and where it stands: "π/2 written as 1.5707 (4 decimals), P1, P4"."""
+    return f"{_written(cause)}, {', '.join(cause.where)}"
+
+
+def _written(cause: RoundedConstant) -> str:
     decimals = "" if cause.decimals is None else f" ({cause.decimals} decimals)"
     return f"{cause.constant} written as {cause.written}{decimals}"
 

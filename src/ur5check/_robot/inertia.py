@@ -12,7 +12,13 @@ from .._errors import ModelError
 from .pseudo_inertia import EXACT, BodyTest, DigitBounds, judge_body
 from .transforms import Array, Transform, frozen, skew
 
-__all__ = ["PARAMETERS", "Inertia", "parameter_map"]
+__all__ = [
+    "PARAMETERS",
+    "Inertia",
+    "parameter_map",
+    "parameters_from_pseudo_inertia",
+    "pseudo_inertia",
+]
 
 #: Names of the ten inertial parameters, in the order of Pinocchio's `Inertia.toDynamicParameters`:
 #: mass [kg], first moment [kg m], and the tensor about the *frame's origin* [kg m²].
@@ -234,11 +240,14 @@ def parameter_map(T_ab: Transform) -> Array:
     J_a = T J_b Tᵀ (Wensing, Kim & Slotine 2018), which is linear in π also for a body without mass.
     """
     T = T_ab.matrix()
-    columns = [_from_pseudo_inertia(T @ _pseudo_inertia(unit) @ T.T) for unit in np.eye(10)]
+    columns = [
+        parameters_from_pseudo_inertia(T @ pseudo_inertia(unit) @ T.T) for unit in np.eye(10)
+    ]
     return np.column_stack(columns)
 
 
-def _pseudo_inertia(pi: Array) -> Array:
+def pseudo_inertia(pi: Array) -> Array:
+    """J, shape (4, 4), of the ten parameters of `PARAMETERS`."""
     about_origin = np.zeros((3, 3))
     for value, (row, column) in zip(pi[4:], _UPPER, strict=True):
         about_origin[row, column] = about_origin[column, row] = value
@@ -249,6 +258,11 @@ def _pseudo_inertia(pi: Array) -> Array:
     return J
 
 
-def _from_pseudo_inertia(J: Array) -> Array:
-    about_origin = np.trace(J[:3, :3]) * np.eye(3) - J[:3, :3]
-    return np.array([J[3, 3], *J[:3, 3], *(about_origin[entry] for entry in _UPPER)])
+def parameters_from_pseudo_inertia(J: Array) -> Array:
+    """The ten parameters, shape (..., 10), of pseudo-inertias J, shape (..., 4, 4)."""
+    sigma = J[..., :3, :3]
+    about_origin = np.trace(sigma, axis1=-2, axis2=-1)[..., None, None] * np.eye(3) - sigma
+    rows, columns = zip(*_UPPER, strict=True)
+    return np.concatenate(
+        [J[..., 3, 3, None], J[..., :3, 3], about_origin[..., rows, columns]], axis=-1
+    )

@@ -40,6 +40,11 @@ STILL = 1e-4
 #: Keys of the engines that can move the arm; our own integrator first.
 ENGINES = steppers()
 
+#: An alignment that leaves more than this of the torques is no evidence that the two count their
+#: joints differently: a lost sign in a length has the same axes as a reversed joint.
+_ANOTHER_ARM = 0.5
+
+
 _KEPT = 5_000  # instants of a motion: every millisecond of five seconds
 _MOST_STEPS = 10_000_000  # minutes of work
 
@@ -163,7 +168,8 @@ def stand(
         The arm that moves (see `load`).
     model : name, path, pin.Model or SerialArm
         The arm whose torques are applied; its joint angles and base are mapped to the plant's as
-        `pair_up` finds them.
+        `pair_up` finds them, or taken as written if that leaves torques as different as those of
+        two arms.
     q : array-like, shape (n,)
         The plant's posture at the start, at rest [rad].
     engine : str
@@ -204,6 +210,8 @@ def stand(
     plant, model, progress = as_arm(plant), as_arm(model), callback("progress", progress)
     seconds, dt = number("seconds", seconds), number("dt", dt)
     pair = pair_up(plant, model)
+    if pair.alignment.relative_difference > _ANOTHER_ARM:
+        pair = pair_up(plant, model, as_written=True)
     if _is_same_model(plant, model):  # under its own torques: nothing to tell apart
         a, b, given_b = (
             replace(arm, given_label=plant.label) for arm in (pair.a, pair.b, pair.given_b)

@@ -49,7 +49,7 @@ def test_the_listing_rounded_its_quarter_turns(listing):
     found = the(listing, "rotation-rounded")
     assert found.links == (1, 4, 5)
     assert found.side == "a"
-    assert "9.6e-05 rad" in details(found)[0]
+    assert "1.5707" in sentence(found, listing.pair)
 
 
 def test_the_listing_has_its_own_gravity(listing):

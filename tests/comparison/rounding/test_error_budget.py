@@ -11,11 +11,11 @@ import pytest
 import ur5check
 from examples import random_arm
 from ur5check._comparison.arm_pair import pair_up
-from ur5check._comparison.rounding.cylinder_constant import cut_twelfths
-from ur5check._comparison.rounding.decimals import decimals_of, half_units, written_as
+from ur5check._comparison.rounded_constants.cylinder_constant import cut_twelfths
+from ur5check._comparison.rounded_constants.decimals import decimals_of, half_units, written_as
+from ur5check._comparison.rounded_constants.exact_constants import RoundedConstant
+from ur5check._comparison.rounded_constants.rounded_angles import rounded_angles, with_exact_angles
 from ur5check._comparison.rounding.error_budget import PrintedDigits, budget
-from ur5check._comparison.rounding.exact_constants import RoundedConstant
-from ur5check._comparison.rounding.rounded_angles import rounded_angles, with_exact_angles
 from ur5check._robot import Inertia, Transform
 from ur5check._robot.states import random_states
 

@@ -203,7 +203,8 @@ def test_included_files_are_read_hashed_and_named_in_errors(read, tmp_path):
     assert ("part.xml", hashlib.sha256(part.read_bytes()).hexdigest()) in arm.source.inputs
     np.testing.assert_array_equal(arm.parameters(), read(text_of()).parameters())
     part.write_text("<mujoco>\n\n" + INERTIAL.replace('mass="2"', 'mass="-2"') + "\n</mujoco>")
-    with pytest.raises(ModelError, match=r"^part.xml:3: body 'lower' inertial/mass: mass is negative"):
+    negative = "^part.xml:3: body 'lower' inertial/mass: mass is negative"
+    with pytest.raises(ModelError, match=negative):
         read(text)
 
 

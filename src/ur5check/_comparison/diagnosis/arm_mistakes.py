@@ -13,10 +13,14 @@ from ..alignment import SAME_ANGLE
 from ..arm_pair import Pair, Side
 from .mistake import ArmDifference, ArmMistake
 
-__all__ = ["ARM_MISTAKES"]
+__all__ = ["ARM_MISTAKES", "ROUNDED"]
 
 _SAME_MOTOR = 1e-4  # relative: the four digits of a data sheet
 _SAME_GRAVITY = 1e-9  # relative: both are written by people, and copied
+
+
+def _not_searched(pair: Pair, rule: Side | None) -> ArmDifference | None:
+    return None
 
 
 def _other_convention(pair: Pair, rule: Side | None) -> ArmDifference | None:
@@ -94,6 +98,36 @@ def _motors_of_a(arm: SerialArm, found: ArmDifference, T: Transform) -> SerialAr
 
 _EXCHANGE = "poses, angles and gravity that one model gives mean something else to the other"
 _WEIGHT = "gravity torque, the largest part of a slow arm's torque, is wrong in every posture"
+
+#: Found by `Pair.corrections`, before the arms are aligned.
+ROUNDED: tuple[ArmMistake, ...] = (
+    ArmMistake(
+        id="rotation-rounded",
+        rule_id="CMP164",
+        says="the twist (α or rpy) is a rounded part of π",
+        sentence="Rounded digits in {arm}: {rounded}",
+        repair="write π/2 with all digits",
+        bad="α = 1.5707 rad",
+        good="α = 1.5707963267948966 rad",
+        affects="axes, by the angle that is left out",
+        why="axes that are parallel or at right angles in one model are not in the other",
+        find=_not_searched,
+        sources=("paper-listing",),
+    ),
+    ArmMistake(
+        id="twelfth-rounded",
+        rule_id="CMP165",
+        says="1/12 in a cylinder's moment is cut off",
+        sentence="Rounded digits in {arm}: {rounded}",
+        repair="write 1/12 with all digits",
+        bad="0.0833 m l²",
+        good="m l² / 12",
+        affects="tensors",
+        why="moments of inertia are too small in the digit after the last that was written",
+        find=_not_searched,
+        sources=("paper",),
+    ),
+)
 
 ARM_MISTAKES: tuple[ArmMistake, ...] = (
     ArmMistake(

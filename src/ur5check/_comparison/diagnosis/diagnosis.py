@@ -8,10 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._dynamics.recursion import rnea
+from ..._robot.inertia import Inertia
 from ..._robot.serial_arm import SerialArm
 from ..._robot.states import States
+from ..alignment import arm_in_coordinates_of
 from ..arm_pair import Pair, Side, check_pair
-from .arm_mistakes import ARM_MISTAKES
+from ..difference import SAME_TORQUE
+from .arm_mistakes import ARM_MISTAKES, ROUNDED
 from .link_numbers import body_of, with_body
 from .mistake import ArmDifference, ArmMistake, Mistake, changed
 from .mistake_search import Candidate, Mismatch
@@ -51,6 +54,8 @@ class RecognizedMistake:
     @property
     def links(self) -> tuple[int, ...]:
         """Numbers from 1; empty for the whole arm."""
+        if self.difference is not None:
+            return self.difference.links
         return tuple(explained.candidate.mismatch.link + 1 for explained in self.explained)
 
     @property
@@ -94,6 +99,8 @@ class Diagnosis:
 def diagnose(pair: Pair, states: States) -> Diagnosis:
     """Look for known mistakes between two arms, and measure how much of Δτ each accounts for.
 
+    Rounded constants come first: what follows is searched for in arms that have them exact.
+
     Parameters
     ----------
     pair : Pair
@@ -120,9 +127,10 @@ def diagnose(pair: Pair, states: States) -> Diagnosis:
     ['gravity-sign']
     """
     check_pair(pair, states)
-    reading, rivals = best_reading(pair)
+    reading, rivals = best_reading(pair.without_rounding())
     before = _rms(pair.a, pair.b, states)
     sequence = _RepairSequence(reading, states, before)
+    sequence.write_out(pair)
     for mistake in ARM_MISTAKES:
         difference = mistake.find(reading.pair, reading.rule)
         if difference is not None:
@@ -161,6 +169,34 @@ class _RepairSequence:
         self.states = states
         self.left = before
         self.repaired: list[RecognizedMistake] = []
+
+    def write_out(self, pair: Pair) -> None:
+        """Rounded constants of the pair, which the reading's arms have exact already.
+
+        Eleven digits of π/2 change no torque, and are no mistake.
+        """
+        arms: dict[Side, SerialArm] = {"a": pair.a, "b": pair.b}
+        for correction in pair.corrections:
+            arm = correction.arm
+            if correction.side == "b":
+                arm = arm_in_coordinates_of(pair.a, arm, pair.alignment)
+            before, arms[correction.side] = arms[correction.side], arm
+            after = _rms(arms["a"], arms["b"], self.states)
+            size = _rms(arm, arm.with_inertias([Inertia.zero()] * arm.n), self.states)
+            if _rms(before, arm, self.states) <= SAME_TORQUE * size:
+                continue
+            difference = ArmDifference(
+                correction.side,
+                links=tuple(link for link in correction.links if link),
+                rounded=correction.cause,
+            )
+            mistake = ROUNDED[correction.cause.constant == "1/12"]
+            self.repaired.append(
+                RecognizedMistake(
+                    (mistake,), correction.side, self.left, after, 1, difference=difference
+                )
+            )
+            self.left = after
 
     def repair_arm(
         self, mistake: ArmMistake, difference: ArmDifference, rivals: tuple[str, ...]

@@ -43,13 +43,6 @@ def _same_axis(R: Array, angle: float) -> Array:
     return Transform.rotation(vector / length, angle).R
 
 
-def _rounded(link_pair: LinkPair, i: int) -> Iterator[Repair]:
-    rotation = link_pair.bodies[i].rotation
-    snapped = np.rint(rotation)
-    if not np.array_equal(rotation, snapped) and np.abs(rotation - snapped).max() < 1e-3:
-        yield f"{np.abs(rotation - snapped).max():.1e} rad off a quarter turn", snapped
-
-
 #: The likelier first.
 GEOMETRY_MISTAKES: tuple[LinkMistake, ...] = (
     sign_lost("link_vector", "CMP151", ("paper-listing",)),
@@ -89,16 +82,5 @@ GEOMETRY_MISTAKES: tuple[LinkMistake, ...] = (
         good="α = 1.5707963267948966 rad",
         repairs=_degrees,
         alone=True,
-    ),
-    LinkMistake(
-        id="rotation-rounded",
-        rule_id="CMP164",
-        quantity="rotation",
-        says="the twist (α or rpy) is a rounded quarter turn",
-        repair="write π/2 with all digits",
-        bad="α = 1.5707 rad",
-        good="α = 1.5707963267948966 rad",
-        repairs=_rounded,
-        sources=("paper-listing",),
     ),
 )

@@ -93,12 +93,19 @@ class LinkPair:
         suspect, other = (arms[side], arms["a" if side == "b" else "b"])
         maps = [T.inverse() if side == "b" else T for T in pair.link_maps]
         if pair.number_by_number:
-            # Number by number, as both files write them; a DH file may write a and d, or r.
+            # Number by number, as both files write them; a DH file may write a and d, or r.  Which
+            # of them is round shows before rounded angles are exact.
+            written = pair.rounded or pair
             ways = [
-                cls(side, _bodies(suspect, after_rotation), _bodies(other, after_rotation))
+                cls(
+                    side,
+                    _bodies(written.a, after_rotation),
+                    _bodies(written.given_b, after_rotation),
+                )
                 for after_rotation in (False, True)
             ]
-            return min(ways, key=lambda link_pair: link_pair.unequal_offsets())
+            after_rotation = ways[1].unequal_offsets() < ways[0].unequal_offsets()
+            return cls(side, _bodies(suspect, after_rotation), _bodies(other, after_rotation))
         bodies = _bodies(suspect)
         truth = tuple(
             _taken_over(own, link, T, as_written)

@@ -14,6 +14,7 @@ from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
 from ..._rules.rule import Rule
 from ..arm_pair import Pair, Side
+from ..rounded_constants.exact_constants import RoundedConstant
 from .link_numbers import Body, LinkPair
 
 __all__ = [
@@ -146,6 +147,7 @@ class ArmDifference:
     joints : numbers from 1 and what is different at each [rad], [m] or [kg m²]
     base : pose of b's base in a's;  gravity : a's and b's, in a's base frame [m/s²]
     motors : a's and b's motor inertias, shape (2, n) [kg m²]
+    links, rounded : the links with a rounded constant, numbers from 1, and how it is written
     """
 
     side: Side | None
@@ -154,6 +156,8 @@ class ArmDifference:
     base: Transform = field(default_factory=Transform.identity)
     gravity: tuple[Array, Array] = (np.zeros(3), np.zeros(3))
     motors: Array = field(default_factory=lambda: np.zeros((2, 0)))
+    links: tuple[int, ...] = ()
+    rounded: RoundedConstant | None = None
 
 
 #: Arm b less the mistake; the transform takes vectors from a's base frame to the arm's.
@@ -165,7 +169,7 @@ class ArmMistake(Mistake):
     """A mistake, or a difference of convention, that concerns the whole arm.
 
     sentence : what happened, with places for values: {a}, {b} and {arm} are the models' labels,
-        {joints}, {angles}, {base}, {gravity} and {motors} what `ArmDifference` holds
+        {joints}, {angles}, {base}, {gravity}, {motors} and {rounded} what `ArmDifference` holds
     affects, why : what it makes wrong, and what that does
     find : of an aligned pair, and the side whose DH table was read by the other convention
     repaired : see ArmRepair; None where b needs no change, once the two arms are aligned

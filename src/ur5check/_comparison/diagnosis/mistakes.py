@@ -6,7 +6,7 @@ Sources: what users reported (docs/diagnosis.md lists the threads) and the paper
 
 from __future__ import annotations
 
-from .arm_mistakes import ARM_MISTAKES
+from .arm_mistakes import ARM_MISTAKES, ROUNDED
 from .body_mistakes import BODY_MISTAKES
 from .centre_mistakes import CENTRE_MISTAKES
 from .geometry_mistakes import GEOMETRY_MISTAKES
@@ -24,4 +24,4 @@ LINK_MISTAKES: tuple[LinkMistake, ...] = (
     *GEOMETRY_MISTAKES,
 )
 
-MISTAKES: tuple[Mistake, ...] = (*LINK_MISTAKES, *ARM_MISTAKES)
+MISTAKES: tuple[Mistake, ...] = (*LINK_MISTAKES, *ROUNDED, *ARM_MISTAKES)

@@ -26,7 +26,7 @@ from ..._robot.states import States
 from ..._robot.transforms import Array
 from ..alignment import SAME_ANGLE, SAME_LENGTH, arm_in_coordinates_of
 from ..arm_pair import Pair, Side, check_pair
-from .exact_constants import STEPS, Arms, RoundedConstant
+from ..rounded_constants.exact_constants import STEPS, Arms, RoundedConstant
 from .printed_digits import Mask, printed_numbers, torque_of_inertial_digits, torque_of_lengths
 
 __all__ = ["BudgetItem", "ErrorBudget", "PrintedDigits", "budget"]

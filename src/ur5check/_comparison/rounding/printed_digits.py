@@ -19,8 +19,12 @@ from numpy.typing import NDArray
 from ..._robot.inertia import Inertia, parameter_map
 from ..._robot.serial_arm import SerialArm
 from ..._robot.transforms import Array, Transform
-from .decimals import half_units
-from .frame_change import arm_with_link, link_vector_is_written_at_link_tip, with_link_tip_frame
+from ..rounded_constants.decimals import half_units
+from ..rounded_constants.frame_change import (
+    arm_with_link,
+    link_vector_is_written_at_link_tip,
+    with_link_tip_frame,
+)
 
 __all__ = [
     "Mask",

@@ -99,7 +99,7 @@ def _in_words(found: RecognizedMistake, diagnosis: Diagnosis) -> str:
 def _details(number: int, found: RecognizedMistake) -> list[Row]:
     rows = []
     shown = str(number)
-    for link, detail in zip(found.links, details(found), strict=True):
+    for link, detail in zip(found.links, details(found), strict=found.difference is None):
         rows.append(Row((shown, str(link), detail.removeprefix(f"link {link}: "))))
         shown = ""
     return rows

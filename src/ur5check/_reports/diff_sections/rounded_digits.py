@@ -16,7 +16,9 @@ def digits_section(e: Explanation) -> Section:
     budget, joints = e.budget, e.difference.pair.a.joints
     names = {"a": e.difference.pair.a.label, "b": e.difference.pair.b.label}
     worst = int(budget.remainder.argmax())
-    if e.difference.same_torques:
+    if e.difference.rounding_explains:
+        said = "Rounded digits explain the difference."
+    elif e.difference.same_torques:
         said = "There is no difference to explain."
     elif budget.digits_suffice:
         said = "Rounded numbers alone explain the difference."

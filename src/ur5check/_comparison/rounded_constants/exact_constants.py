@@ -4,21 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from ..._robot.serial_arm import SerialArm
-from ..arm_pair import Side
 from .cylinder_constant import cut_twelfths, with_exact_twelfth
 from .decimals import Writing, written_as
 from .rounded_angles import rounded_angles, with_exact_angles
 
-__all__ = ["GRAVITY", "STEPS", "Arms", "Correction", "RoundedConstant"]
+__all__ = [
+    "GRAVITY",
+    "STEPS",
+    "Arms",
+    "Correction",
+    "RoundedConstant",
+    "Side",
+    "Step",
+    "angles",
+    "twelfths",
+    "written_out",
+]
+
+Side = Literal["a", "b"]
 
 #: Standard gravity [m/s²] (3rd CGPM, 1901): 9.8, 9.81, 9.806 and 9.807 write it with fewer digits.
 GRAVITY = 9.80665
 
 Arms = dict[Side, SerialArm]
+Step = Callable[[Arms], Iterator["Correction"]]
 
 
 @dataclass(frozen=True)
@@ -40,12 +54,13 @@ class RoundedConstant:
 class Correction:
     """One rounded constant corrected in one arm.
 
-    cause : the constant;  arm : the arm afterwards
+    cause : the constant;  arm : the arm afterwards;  links : their numbers, 0 for the base
     """
 
     cause: RoundedConstant
     side: Side
     arm: SerialArm
+    links: tuple[int, ...] = ()
 
 
 def angles(arms: Arms) -> Iterator[Correction]:
@@ -59,7 +74,8 @@ def angles(arms: Arms) -> Iterator[Correction]:
             )
             arm = with_exact_angles(arm, group)
             where = tuple(each.where for each in group)
-            yield Correction(_rounded(constant, writing, where), side, arm)
+            links = tuple(each.place for each in group)
+            yield Correction(_rounded(constant, writing, where), side, arm, links)
 
 
 def twelfths(arms: Arms) -> Iterator[Correction]:
@@ -70,7 +86,8 @@ def twelfths(arms: Arms) -> Iterator[Correction]:
             group = tuple(cut for cut in found if cut.constant == constant)
             arm = with_exact_twelfth(arm, group)
             where = tuple(f"link {cut.link}" for cut in group)
-            yield Correction(RoundedConstant("1/12", constant, None, where), side, arm)
+            links = tuple(cut.link for cut in group)
+            yield Correction(RoundedConstant("1/12", constant, None, where), side, arm, links)
 
 
 def gravities(arms: Arms) -> Iterator[Correction]:
@@ -89,8 +106,20 @@ def gravities(arms: Arms) -> Iterator[Correction]:
 
 
 #: The steps of an error budget, in order.
-STEPS: tuple[Callable[[Arms], Iterator[Correction]], ...] = (angles, twelfths, gravities)
+STEPS: tuple[Step, ...] = (angles, twelfths, gravities)
 
 
 def _rounded(constant: str, writing: Writing, where: tuple[str, ...]) -> RoundedConstant:
     return RoundedConstant(constant, writing.text, writing.decimals, where)
+
+
+def written_out(step: Step, arms: Arms) -> tuple[Arms, tuple[Correction, ...]]:
+    """Both arms after one step, and the corrections that were made.
+
+    What both arms round in the same way in the same places makes no difference and is left alone.
+    """
+    found = tuple(step(arms))
+    a, b = ({each.cause for each in found if each.side == side} for side in "ab")
+    if a == b:
+        return arms, ()
+    return arms | {correction.side: correction.arm for correction in found}, found

@@ -1,9 +1,9 @@
-"""Quarter turns that were written as decimals: π/2 as 1.5707, or as 1.570796327."""
+"""Angles that were written as decimals: π/2 as 1.5707, or as 1.570796327; π/4 as 0.7854."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import pi
+from math import atan2, gcd, hypot, pi
 
 import numpy as np
 
@@ -12,21 +12,35 @@ from ..._robot.transforms import Array, Transform
 from .decimals import Writing, written_as
 from .frame_change import arm_with_link, link_vector_is_written_at_link_tip, with_link_tip_frame
 
-__all__ = ["NEARLY", "RoundedAngle", "rounded_angles", "with_exact_angles"]
+__all__ = [
+    "NEARLY",
+    "RoundedAngle",
+    "rounded_angles",
+    "with_angles_written_out",
+    "with_exact_angles",
+]
 
 #: How far [rad] a rotation may lie from a quarter turn and still be one: 1.57 is 8e-4 off.
 NEARLY = 1e-3
 
 _ZERO_TOLERANCE = 2e-15  # of a product of three rotations [rad]
-_CONSTANTS = (("π/2", pi / 2), ("π", pi), ("3π/2", 1.5 * pi), ("2π", 2 * pi))
+_QUARTERS = (("π/2", pi / 2), ("π", pi), ("3π/2", 1.5 * pi), ("2π", 2 * pi))
+
+# Roll, pitch and yaw of a product of three rotations [rad], unless pitch is near a quarter turn.
+_ANGLE_TOLERANCE = 4e-15
+_DEGENERATE = 0.1  # cosine of pitch
+
+# Other parts of π are recognised where as many decimals were written: a measured angle has the same
+# four by chance once in a thousand times.
+_PARTS, _PART_DECIMALS = 12, 4
 
 
 @dataclass(frozen=True, eq=False)
 class RoundedAngle:
-    """A rotation of an arm that is a quarter turn but for its digits.
+    """A rotation of an arm with an angle that is a part of π but for its digits.
 
     place : 0 for the base B, i for P_i
-    constant : "π/2";  writing : how it was written
+    constant : "π/2";  writing : how it was written, the coarsest if several angles were
     exact : the rotation that was meant, shape (3, 3)
     """
 
@@ -41,15 +55,20 @@ class RoundedAngle:
 
 
 def rounded_angles(arm: SerialArm) -> tuple[RoundedAngle, ...]:
-    """Every rotation of B and P_i that some decimals of a multiple of π/2 turn from a quarter turn.
+    """Every rotation of B and P_i in which an angle was written with some decimals of a part of π.
 
     Being near a quarter turn is not enough: the angles of a calibrated arm are.  The rest
-    must be what rounding or cutting off leaves, to the last digit, about each axis.  A rounded
-    quarter turn hidden in a product with another angle is not looked for.
+    must be what rounding or cutting off leaves, to the last digit: about each axis of a quarter
+    turn, or in roll, pitch or yaw (a DH row's α and θ are roll and yaw).
     """
     transforms = [arm.base, *(link.link_tip_frame for link in arm.links)]
-    found = (_rounded(place, T.R) for place, T in enumerate(transforms))
+    found = (_rounded(place, T.R) or _rounded_rpy(place, T.R) for place, T in enumerate(transforms))
     return tuple(angle for angle in found if angle is not None)
+
+
+def with_angles_written_out(arm: SerialArm) -> SerialArm:
+    """The arm with every rounded angle as it was meant."""
+    return with_exact_angles(arm, rounded_angles(arm))
 
 
 def with_exact_angles(arm: SerialArm, angles: tuple[RoundedAngle, ...]) -> SerialArm:
@@ -86,11 +105,47 @@ def _rounded(place: int, R: Array) -> RoundedAngle | None:
     return RoundedAngle(place, *coarsest, exact)
 
 
+def _rounded_rpy(place: int, R: Array) -> RoundedAngle | None:
+    """The same for R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll) with one or more rounded angles."""
+    level = hypot(R[0, 0], R[1, 0])
+    if level < _DEGENERATE:
+        return None
+    angles = (atan2(R[2, 1], R[2, 2]), atan2(-R[2, 0], level), atan2(R[1, 0], R[0, 0]))
+    found = [_part_of_pi(angle) for angle in angles]
+    if not any(found):
+        return None
+    meant = [
+        angle if part is None else np.sign(angle) * part[0]
+        for angle, part in zip(angles, found, strict=True)
+    ]
+    coarsest = min((part[1:] for part in found if part), key=lambda part: part[1].decimals)
+    return RoundedAngle(place, *coarsest, Transform.from_rpy(np.zeros(3), meant).R)
+
+
+def _part_of_pi(angle: float) -> tuple[float, str, Writing] | None:
+    """The multiple of π/12 that |angle| [rad] was written for, its name and writing."""
+    k = round(abs(angle) / (pi / _PARTS))
+    if k == 0 or abs(abs(angle) - k * pi / _PARTS) > NEARLY:
+        return None
+    quarter = k % (_PARTS // 2) == 0
+    writing = written_as(
+        abs(angle),
+        k * pi / _PARTS,
+        least=2 if quarter else _PART_DECIMALS,
+        tolerance=_ANGLE_TOLERANCE,
+    )
+    if writing is None:
+        return None
+    over, under = k // gcd(k, _PARTS), _PARTS // gcd(k, _PARTS)
+    name = ("" if over == 1 else str(over)) + "π" + ("" if under == 1 else f"/{under}")
+    return k * pi / _PARTS, name, writing
+
+
 def _written(off: float, tolerance: float) -> tuple[str, Writing] | None:
     """The constant whose writing is `off` [rad] away from it: the one with the fewest decimals."""
     found = [
         (name, writing)
-        for name, constant in _CONSTANTS
+        for name, constant in _QUARTERS
         for sign in (1.0, -1.0)
         if (writing := written_as(constant + sign * off, constant, least=2, tolerance=tolerance))
     ]

@@ -6,7 +6,7 @@ from math import pi
 
 import pytest
 
-from ur5check._comparison.rounding.decimals import decimals_of, half_units, written_as
+from ur5check._comparison.rounded_constants.decimals import decimals_of, half_units, written_as
 
 
 @pytest.mark.parametrize(
