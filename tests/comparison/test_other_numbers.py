@@ -44,8 +44,8 @@ def test_a_difference_beside_the_torques_is_one(tmp_path, key, quantity, line):
     d = ur5check.diff(a, b, samples=20)
     (other,) = d.others
     assert (other.quantity, other.joint, other.b) == (quantity, "hinge", 7.0)
-    assert str(other.place_a) == f"{a}:{line}"
-    assert str(other.place_b) == f"{b}:{line}"
+    assert str(other.place_a) == f"{a}:{line}:5"
+    assert str(other.place_b) == f"{b}:{line}:5"
     assert d.same_torques
     assert not d.agrees
     assert "same dynamics" not in d.verdict
