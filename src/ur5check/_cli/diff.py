@@ -3,7 +3,8 @@ attributed to, the known mistakes that explain it, and the configuration within
 the joint limits where it is largest.
 
 Exit code 0: no torque differs by more than the tolerance, and damping, friction,
-limits, motors and gravity are the same. 1: something differs.
+limits, motors and gravity are the same. 1: something differs, or a model cannot
+exist (it is compared all the same) or has a number that cannot be read.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import shlex
 from collections.abc import Iterable
 from pathlib import Path
 
-from .._errors import UsageError
+from .._errors import ModelError, UsageError
 from .options import (
     MODELS,
     ModelOptions,
@@ -85,7 +86,13 @@ def run(args: argparse.Namespace) -> int:
     options = ModelOptions.of(args, models)
     _check_options(args)
     _check_outputs(args, ())
-    arms = options.load(quiet=args.quiet)
+    try:
+        arms = options.load(quiet=args.quiet, strict=False)
+    except ModelError as error:
+        if error.line is None and error.rule == ModelError.UNSPECIFIED:
+            raise  # a file that is not there, a choice of chains: nothing that a file says
+        progress(False, f"error: {' '.join(str(error).split())}")
+        return 1
     _check_outputs(args, options.files(arms))
 
     from .._comparison.attribution_detail import by_parameter
@@ -136,7 +143,7 @@ def run(args: argparse.Namespace) -> int:
 
         repair(explanation, args.repair, say)
     emit(text, args.output)
-    return 0 if d.agrees else 1
+    return 0 if d.agrees and not any(d.faults.values()) else 1
 
 
 def _check_options(args: argparse.Namespace) -> None:

@@ -33,6 +33,7 @@ from .json_values import (
     state,
     vector,
 )
+from .verdict_json import FindingValue, finding_value
 
 __all__ = ["Comparison", "DiffReport", "comparison_value", "diff_json"]
 
@@ -145,6 +146,8 @@ class Comparison(msgspec.Struct, frozen=True, kw_only=True):
     tolerance: Vector
     others: list[OtherNumberValue]
     uncertainty: UncertaintyValue | None
+    faults_a: list[FindingValue]
+    faults_b: list[FindingValue]
 
 
 class DiffReport(Report, frozen=True, kw_only=True, tag="ur5check.diff/2"):
@@ -200,6 +203,8 @@ def comparison_value(d: Difference) -> Comparison:
         tolerance=vector(d.tolerance),
         others=[_other(other) for other in d.others],
         uncertainty=None if d.band is None else _uncertainty(d, d.band),
+        faults_a=[finding_value(fault) for fault in d.faults["a"]],
+        faults_b=[finding_value(fault) for fault in d.faults["b"]],
     )
 
 
