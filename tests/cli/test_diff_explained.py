@@ -95,7 +95,7 @@ def test_the_listing_is_mended(tmp_path: Path, unasked: Explanation) -> None:
         found = diagnose(difference.pair, difference.states)
         repair(replace(unasked, difference=difference, diagnosis=found), str(file), said.append)
         if b == "paper-listing":
-            assert said[-1] == f"wrote {file}"
+            assert said[-1] == f"wrote {file}: a new URDF, since paper-listing is no URDF"
             assert diff(a, file, samples=50).agrees
             assert any("a URDF carries no gravity: give --gravity X Y Z" in line for line in said)
             file.unlink()
