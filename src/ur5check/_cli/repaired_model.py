@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from .._comparison.diagnosis.diagnosis import Diagnosis, RecognizedMistake
-from .._comparison.explanation import Explanation
+from .._comparison.difference import Difference
 from .._io.urdf.urdf_changes import changed_urdf
 from .._io.urdf.urdf_writer import urdf_of
 from .._reports.mistake_sentences import advice, sentence
@@ -18,14 +18,13 @@ from .output import emit
 __all__ = ["repair"]
 
 
-def repair(explanation: Explanation, file: str, say: Callable[[str], None]) -> None:
+def repair(d: Difference, diagnosis: Diagnosis, file: str, say: Callable[[str], None]) -> None:
     """Write the repaired B, and say of every mistake whether it is repaired there.
 
     Nothing is written where there is nothing to repair in B.  Raises UsageError if the file cannot
     be written.
     """
-    diagnosis = explanation.diagnosis
-    given = explanation.difference.pair.given_b
+    given = d.pair.given_b
     repaired = [found for found in diagnosis.mistakes if _repaired_in_b(found, diagnosis)]
     changed = changed_urdf(given, diagnosis.repaired_b)
     open_links = dict(changed.unwritten) if changed else {}

@@ -18,6 +18,7 @@ from .diff_sections.stated_uncertainty import uncertainty_in_words
 from .difference_summary import summarize as summarize_difference
 from .explanation_json import ExplanationValue, explanation_value
 from .explanation_summary import summarize as summarize_explanation
+from .finding_json import FindingValue, finding_value
 from .json_report import Report, head
 from .json_values import (
     AlignmentValue,
@@ -33,7 +34,6 @@ from .json_values import (
     state,
     vector,
 )
-from .verdict_json import FindingValue, finding_value
 
 __all__ = ["Comparison", "DiffReport", "comparison_value", "diff_json"]
 

@@ -34,10 +34,13 @@ _NUMBER = re.compile(rb"[^ \t\r\n]+")
 class NumberChange:
     """One attribute whose numbers change.
 
+    link : from 1; 0 for the base;  quantity : "mass", "centre", "tensor", "link_vector", "rotation"
     place : of the value, where a person wrote it;  what : "link 'forearm' mass", "… izz"
     old : as written, "" where the attribute is left out;  new : in its place
     """
 
+    link: int
+    quantity: str
     place: Place
     what: str
     old: str
@@ -75,6 +78,24 @@ class _Edit:
     new: bytes
 
 
+@dataclass(frozen=True)
+class _Numbers:
+    """Numbers of one attribute: whose they are, where they are written, what they shall be.
+
+    error : how far each may be off and is the same
+    """
+
+    link: int
+    quantity: str
+    what: str
+    place: Place
+    values: Sequence[float]
+    error: float
+
+    def change(self, place: Place, old: str, new: str) -> NumberChange:
+        return NumberChange(self.link, self.quantity, place, self.what, old, new)
+
+
 class _Changes:
     def __init__(self, robot: Robot, arm: SerialArm, other: SerialArm, data: bytes) -> None:
         self.robot, self.arm, self.other, self.data = robot, arm, other, data
@@ -82,6 +103,7 @@ class _Changes:
         self.links = {(node.get("name") or "").strip(): node for node in root.all("link")}
         self.joints = {(node.get("name") or "").strip(): node for node in root.all("joint")}
         self.edits: list[_Edit] = []
+        self.new_origins: dict[int, str] = {}
         self.changes: list[NumberChange] = []
         self.unwritten: list[tuple[int, str]] = []
 
@@ -89,6 +111,8 @@ class _Changes:
         self._origins()
         for i in range(self.arm.n):
             self._inertia(i)
+        for start, attributes in self.new_origins.items():
+            self.edits.append(_Edit(start, start, f"<origin{attributes}/>".encode()))
         data = self.data
         for edit in sorted(self.edits, key=lambda each: -each.start):
             data = data[: edit.start] + edit.new + data[edit.end :]
@@ -120,33 +144,36 @@ class _Changes:
             moment = float(np.abs(before.parameters()[4:]).max())
         else:
             moment = float(np.abs(after.tensor).max())
-        scales = (size, moment)
-        self._write_inertia(subject, own.name, inertial, after, scales)
+        self._write_inertia(i, inertial, after, (size, moment))
 
     def _write_inertia(
-        self,
-        subject: str,
-        name: str,
-        inertial: Inertial,
-        after: Inertia,
-        scales: tuple[float, float],
+        self, i: int, inertial: Inertial, after: Inertia, scales: tuple[float, float]
     ) -> None:
         """scales : the largest length [m] and moment [kg m²] that `after` was computed from"""
         size, moment = scales
+        name = self.arm.links[i].name
+        subject = f"link {name!r}"
         node = next(self.links[name].all("inertial"))
-        (mass,) = (each for each in node.all("mass"))
         place = inertial.place
+        (mass,) = node.all("mass")
         error = _ROUNDING * after.mass
-        self._numbers(mass, "value", f"{subject} mass", place("mass"), [after.mass], error)
-        R = Transform.from_rpy((0.0, 0.0, 0.0), inertial.rpy.tolist()).R
+        what = f"{subject} mass"
+        new = _Numbers(i + 1, "mass", what, place("mass"), [after.mass], error)
+        self._replace(mass, "value", new)
         what = f"{subject} centre of mass"
-        self._triple(node, "xyz", what, place("origin"), after.com, _ROUNDING * size)
+        com = after.com.tolist()
+        new = _Numbers(i + 1, "centre", what, place("origin"), com, _ROUNDING * size)
+        self._triple(node, "xyz", new)
+        R = Transform.from_rpy((0.0, 0.0, 0.0), inertial.rpy.tolist()).R
         tensor = R.T @ after.tensor @ R
         error = _ROUNDING * moment
-        (entries,) = (each for each in node.all("inertia"))
+        (entries,) = node.all("inertia")
         for entry in ENTRIES:
             value = float(tensor["xyz".index(entry[1]), "xyz".index(entry[2])])
-            self._numbers(entries, entry, f"{subject} {entry}", place(entry), [value], error)
+            what = f"{subject} {entry}"
+            self._replace(
+                entries, entry, _Numbers(i + 1, "tensor", what, place(entry), [value], error)
+            )
 
     # --- fixed transforms ------------------------------------------------------------------------
 
@@ -170,59 +197,52 @@ class _Changes:
                 self.unwritten.append((k, why))
                 continue
             joint = self.robot.joint[names[k]]
-            place, node, subject = joint.at("origin"), self.joints[joint.name], joint.name
+            place, node, what = joint.at("origin"), self.joints[joint.name], f"joint {joint.name!r}"
             if moved:
-                error = _ROUNDING * size
-                self._triple(node, "xyz", f"joint {subject!r} origin", place, Q.p, error)
+                numbers, error = Q.p.tolist(), _ROUNDING * size
+                new = _Numbers(k, "link_vector", f"{what} origin", place, numbers, error)
+                self._triple(node, "xyz", new)
             if turned:
-                turn = np.array(rpy_pose(Q).turn)
-                what = f"joint {subject!r} rotation"
-                self._triple(node, "rpy", what, place, turn, _ROUNDING)
+                turn = rpy_pose(Q).turn
+                new = _Numbers(k, "rotation", f"{what} rotation", place, turn, _ROUNDING)
+                self._triple(node, "rpy", new)
 
     # --- text ------------------------------------------------------------------------------------
 
-    def _triple(
-        self, above: XmlNode, key: str, what: str, place: Place, values: Array, error: float
-    ) -> None:
+    def _triple(self, above: XmlNode, key: str, numbers: _Numbers) -> None:
         """A list of three in an <origin>, which may be left out."""
         origin = next(above.all("origin"), None)
-        numbers = values.tolist()
         if origin is not None and origin.get(key) is not None:
-            self._numbers(origin, key, what, place, numbers, error)
+            self._replace(origin, key, numbers)
             return
-        if max(map(abs, numbers)) <= error:
+        if max(map(abs, numbers.values)) <= numbers.error:
             return
-        new = " ".join(exact(as_written(value, error)) for value in numbers)
+        new = " ".join(exact(as_written(value, numbers.error)) for value in numbers.values)
+        attribute = f' {key}="{new}"'
         if origin is not None:
             start = origin.offset + len(b"<origin")
-            self.edits.append(_Edit(start, start, f' {key}="{new}"'.encode()))
+            self.edits.append(_Edit(start, start, attribute.encode()))
         else:
             start = self.data.index(b">", above.offset) + 1
-            self.edits.append(_Edit(start, start, f'<origin {key}="{new}"/>'.encode()))
-        self.changes.append(NumberChange(place, what, "", new))
+            self.new_origins[start] = self.new_origins.get(start, "") + attribute
+        self.changes.append(numbers.change(numbers.place, "", new))
 
-    def _numbers(
-        self,
-        node: XmlNode,
-        key: str,
-        what: str,
-        place: Place,
-        values: Sequence[float],
-        error: float,
-    ) -> None:
-        """The numbers of one attribute; those that stay within `error` keep their text."""
+    def _replace(self, node: XmlNode, key: str, numbers: _Numbers) -> None:
+        """The numbers of one attribute; those that stay the same keep their text."""
         start, end = node.value_span(key)
         old = self.data[start:end]
         words = list(_NUMBER.finditer(old))
         new = old
-        for word, value in zip(reversed(words), reversed(values), strict=True):
-            if abs(float(word[0]) - value) > error:
-                text = exact(as_written(value, error)).encode()
+        for word, value in zip(reversed(words), reversed(numbers.values), strict=True):
+            if abs(float(word[0]) - value) > numbers.error:
+                text = exact(as_written(value, numbers.error)).encode()
                 new = new[: word.start()] + text + new[word.end() :]
         if new != old:
             self.edits.append(_Edit(start, end, new))
-            here = place if place.via else replace(node.place(key), element=place.element)
-            self.changes.append(NumberChange(here, what, old.decode(), new.decode()))
+            place = numbers.place
+            if not place.via:
+                place = replace(node.place(key), element=place.element)
+            self.changes.append(numbers.change(place, old.decode(), new.decode()))
 
 
 def _same_body(a: Inertia, b: Inertia, size: float) -> bool:
