@@ -56,6 +56,9 @@ class ModelError(InputError):
     ("joint 'elbow'", 'give its direction')
     """
 
+    #: The rule of what has no rule of its own.
+    UNSPECIFIED = "XML100"
+
     def __init__(
         self,
         problem: str,
@@ -65,7 +68,7 @@ class ModelError(InputError):
         line: int | None = None,
         element: str | None = None,
         value: object = None,
-        rule: str = "XML100",
+        rule: str = UNSPECIFIED,
     ) -> None:
         self.problem = problem
         self.fix = fix

@@ -115,7 +115,8 @@ def test_diff_exits_as_diff_does(ur5check: Command) -> None:
     assert ur5check("diff", "paper", "paper", *FEW, "--quick").code == 0
     said = ur5check("diff", "paper-listing", "paper", *FEW, "--quick")
     assert said.code == 1
-    assert "\n\nDIFFER: paper-listing and paper need different torques" in said.out
+    assert said.out.startswith("DIFFER  paper-listing and paper need different torques")
+    assert "── " not in said.out
 
 
 @pytest.mark.parametrize(
@@ -130,7 +131,7 @@ def test_formats(ur5check: Command, arguments: tuple[object, ...], schema: str) 
     report = json.loads(ur5check(*arguments, "--format", "json").out)
     assert report["schema"] == f"ur5check.{schema}/2"
     assert ur5check(*arguments, "--format", "markdown").out.startswith("# ")
-    full = ("--full",) if arguments[0] == "validate" else ()
+    full = ("--full",) if arguments[0] in ("validate", "diff") else ()
     assert "── " in ur5check(*arguments, "--format", "text", *full).out
 
 

@@ -56,7 +56,7 @@ def test_diff_takes_an_mjcf(ur5check: Command, tmp_path: Path) -> None:
     said = ur5check("diff", path, "appendix", "--samples", 100, "--quick", "--quiet")
     assert said.code == 0, said.out
     path.write_text(path.read_text().replace('mass="8.393"', 'mass="8.493"'))
-    said = ur5check("diff", path, "appendix", "--samples", 100, "--quick", "--quiet")
+    said = ur5check("diff", path, "appendix", "--samples", 100, "--quick", "--full")
     assert said.code == 1
     assert "upper_arm_link" in said.out
 

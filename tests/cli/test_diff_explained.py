@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +12,6 @@ import pytest
 from ur5check._cli.repaired_model import repair
 from ur5check._comparison.diagnosis.diagnosis import diagnose
 from ur5check._comparison.difference import diff
-from ur5check._comparison.explanation import Explanation, explain
 
 if TYPE_CHECKING:
     from .conftest import Command
@@ -46,12 +44,6 @@ def planted(good: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def unasked() -> Explanation:
-    """Of a difference that is none, for tests that put another diagnosis into it."""
-    return explain(diff("paper", "paper", samples=5))
-
-
 def test_what_was_planted_is_found_and_mended(
     ur5check: Command, planted: Path, tmp_path: Path
 ) -> None:
@@ -74,6 +66,10 @@ def test_what_was_planted_is_found_and_mended(
     assert any("Link 3 of " in line and "tensor" in line for line in said)
     assert err.endswith(f"wrote {repaired}\n")
     assert ur5check("diff", "appendix", repaired, *FEW, "--quick").code == 0
+    before, after = (file.read_text().splitlines() for file in (planted, repaired))
+    changed = [(x, y) for x, y in zip(before, after, strict=True) if x != y]
+    assert len(changed) == 2  # the line of the centre, and that of the tensor
+    assert f"{planted}:" in next(line for line in err.splitlines() if "-0.28 → " in line)
 
 
 def test_a_mistake_in_a_is_not_mended_in_b(
@@ -86,16 +82,16 @@ def test_a_mistake_in_a_is_not_mended_in_b(
     assert not re.search(r": repaired: Link 2 ", err)
 
 
-def test_the_listing_is_mended(tmp_path: Path, unasked: Explanation) -> None:
+def test_the_listing_is_mended(tmp_path: Path) -> None:
     """The paper's listing against its own tables, either way round; its gravity stays unsaid."""
     file = tmp_path / "repaired.urdf"
     said: list[str] = []
     for a, b in (("paper", "paper-listing"), ("paper-listing", "paper")):
         difference = diff(a, b, samples=50)
         found = diagnose(difference.pair, difference.states)
-        repair(replace(unasked, difference=difference, diagnosis=found), str(file), said.append)
+        repair(difference, found, str(file), said.append)
         if b == "paper-listing":
-            assert said[-1] == f"wrote {file}"
+            assert said[-1] == f"wrote {file}: a new URDF, since paper-listing is no URDF"
             assert diff(a, file, samples=50).agrees
             assert any("a URDF carries no gravity: give --gravity X Y Z" in line for line in said)
             file.unlink()

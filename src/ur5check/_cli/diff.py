@@ -3,19 +3,21 @@ attributed to, the known mistakes that explain it, and the configuration within
 the joint limits where it is largest.
 
 Exit code 0: no torque differs by more than the tolerance, and damping, friction,
-limits, motors and gravity are the same. 1: something differs.  The tolerance is a
-millionth of the largest torque, or a ten-thousandth where rounded digits such as
-1.5708 for π/2 explain the difference, unless --tolerance gives another.
+limits, motors and gravity are the same. 1: something differs, or a model cannot
+exist (it is compared all the same) or has a number that cannot be read.
+The tolerance is a millionth of the largest torque, or a ten-thousandth where rounded
+digits such as 1.5708 for π/2 explain the difference, unless --tolerance gives another.
 """
 
 from __future__ import annotations
 
 import argparse
 import shlex
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from .._errors import UsageError
+from .._errors import ModelError, UsageError
 from .options import (
     MODELS,
     ModelOptions,
@@ -27,6 +29,10 @@ from .options import (
     progress,
 )
 from .output import check_output, emit, format_of, rendered
+
+if TYPE_CHECKING:
+    from .._comparison.diagnosis.diagnosis import Diagnosis
+    from .._comparison.difference import Difference
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -80,6 +86,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="standard deviations of the models' numbers: mass=1%%,centre=3%%,tensor=10%%, or a "
         ".toml file",
     )
+    parser.add_argument(
+        "--full",
+        action="store_true",
+        help="all tables: numbers, attribution, identifiability, digits, worst case of each joint "
+        "(a file has them in any case)",
+    )
     add_state_options(parser)
     add_gravity_option(parser)
     add_model_options(parser, ("a", "b"))
@@ -92,15 +104,16 @@ def run(args: argparse.Namespace) -> int:
     options = ModelOptions.of(args, models)
     _check_options(args)
     _check_outputs(args, ())
-    arms = options.load(quiet=args.quiet)
+    try:
+        arms = options.load(quiet=args.quiet, strict=False)
+    except ModelError as error:
+        if error.line is None and error.rule == ModelError.UNSPECIFIED:
+            raise  # a file that is not there, a choice of chains: nothing that a file says
+        progress(False, f"error: {' '.join(str(error).split())}")
+        return 1
     _check_outputs(args, options.files(arms))
 
-    from .._comparison.attribution_detail import by_parameter
     from .._comparison.difference import diff
-    from .._comparison.explanation import explain
-    from .._reports.diff_document import diff_document
-    from .._reports.diff_json import diff_json
-    from .._robot.states import MAX_ACCELERATION
 
     def say(line: str) -> None:
         progress(args.quiet, line)
@@ -115,18 +128,49 @@ def run(args: argparse.Namespace) -> int:
         uncertainty=args.uncertainty,
         as_written=args.as_written,
     )
-    explanation = None
+    text, diagnosis = _report(args, d, say)
+    if args.repair is not None and diagnosis is not None:
+        from .repaired_model import repair
+
+        repair(d, diagnosis, args.repair, say)
+    emit(text, args.output)
+    return 0 if d.agrees and not any(d.faults.values()) else 1
+
+
+def _report(
+    args: argparse.Namespace, d: Difference, say: Callable[[str], None]
+) -> tuple[str, Diagnosis | None]:
+    """The report as text, and the known mistakes, where they were looked for."""
+    from .._arguments import number
+    from .._robot.states import MAX_ACCELERATION
+
+    form = format_of(args.format, args.output)
+    explained = not args.quick and not d.gravity_only
     if d.gravity_only:
         say("tensors are unknown: only gravity torques are compared, and not explained")
-    elif not args.quick:
-        if args.acceleration is None:
-            args.acceleration = MAX_ACCELERATION
-        explanation = explain(d, acceleration=args.acceleration, progress=say)
+    if explained:
+        given = MAX_ACCELERATION if args.acceleration is None else args.acceleration
+        args.acceleration = number("acceleration", given, positive=True)
+    if form.name == "text" and args.output is None and not (args.full or args.by_parameter):
+        from .._comparison.causes import find_causes
+        from .._reports.diff_text import diff_text
+
+        causes = None
+        if explained and not (d.same_torques and args.repair is None):
+            causes = find_causes(d, acceleration=args.acceleration, progress=say)
+        text = diff_text(d, causes, asked_tolerance=args.tolerance is not None)
+        return text, None if causes is None else causes.diagnosis
+
+    from .._comparison.attribution_detail import by_parameter
+    from .._comparison.explanation import explain
+    from .._reports.diff_document import diff_document
+    from .._reports.diff_json import diff_json
+
+    explanation = explain(d, acceleration=args.acceleration, progress=say) if explained else None
     parameters = by_parameter(d.pair, d.states) if args.by_parameter else None
-    command = command_line("diff", args, models)
+    command = command_line("diff", args, (args.a, args.b))
     if args.tolerance is not None:
         command += f" --tolerance {shlex.quote(args.tolerance)}"
-    form = format_of(args.format, args.output)
     text = rendered(
         form,
         args.output,
@@ -139,12 +183,7 @@ def run(args: argparse.Namespace) -> int:
         ),
         report=lambda: diff_json(d, explanation, parameters=parameters, command=command),
     )
-    if args.repair is not None and explanation is not None:
-        from .repaired_model import repair
-
-        repair(explanation, args.repair, say)
-    emit(text, args.output)
-    return 0 if d.agrees else 1
+    return text, None if explanation is None else explanation.diagnosis
 
 
 def _check_options(args: argparse.Namespace) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,13 +12,14 @@ from numpy.typing import ArrayLike
 from .._dynamics.batching import gravity_of
 from .._dynamics.recursion import rnea
 from .._errors import UsageError
+from .._finding import Finding
 from .._io.loading import ArmSource, load
 from .._io.uncertainty import read_uncertainty
 from .._result import Result
 from .._robot.serial_arm import SerialArm
 from .._robot.states import States, random_states
 from .._robot.transforms import Array
-from .arm_pair import Pair, pair_up
+from .arm_pair import Pair, Side, pair_up
 from .attribution import Attribution, attribute
 from .motion_difference import ToolError, TorqueError, compare_tools, compare_torques
 from .other_numbers import OtherNumber, compare_other_numbers
@@ -86,6 +88,11 @@ class Difference(Result):
         return bool((self.torques.maximum <= self.tolerance).all())
 
     @property
+    def faults(self) -> Mapping[Side, tuple[Finding, ...]]:
+        """Why each arm cannot exist: errors of its file that reading passed over."""
+        return {"a": self.pair.a.source.faults, "b": self.pair.given_b.source.faults}
+
+    @property
     def gravity_only(self) -> bool:
         """Whether tensors of an arm are unknown, so that the arms are compared at rest."""
         return bool(self.pair.a.unknown_tensors or self.pair.b.unknown_tensors)
@@ -119,7 +126,8 @@ def diff(
     Parameters
     ----------
     a, b : name, path, pin.Model or SerialArm
-        See `load`.
+        See `load`.  A body or joint that cannot exist is compared too (`Difference.faults`), as
+        long as every number of the arm can be read.
     samples : int
         Number of random states, at least 1.
     seed : int
@@ -153,7 +161,7 @@ def diff(
     >>> difference.agrees, difference.torques.rms.shape
     (False, (6,))
     """
-    first, second = (under_gravity(load(source), gravity) for source in (a, b))
+    first, second = (under_gravity(load(source, strict=False), gravity) for source in (a, b))
     states = random_states(first.n, samples, seed)
     return compare(
         first,

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 from .._arguments import callback, instance, number
 from .._result import Result
-from .._robot.states import MAX_ACCELERATION, States
+from .._robot.states import MAX_ACCELERATION
 from .attribution_detail import TermAttribution, by_term
+from .causes import evidence
 from .diagnosis.diagnosis import Diagnosis, diagnose
 from .difference import Difference
 from .identifiability.equivalence import Equivalence, equivalence
@@ -18,9 +19,6 @@ from .rounding.error_budget import ErrorBudget, budget
 from .worst_case.worst_case import WorstCase, worst_cases
 
 __all__ = ["Explanation", "explain"]
-
-#: States enough for evidence: an RMS over a thousand of them is known to a few per cent.
-_EVIDENCE = 1_000
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -98,7 +96,7 @@ def explain(
     pair, seed = difference.pair, difference.seed
     for arm in (pair.a, pair.b):
         arm.require_tensors("an explanation")
-    few = _first(difference.states, _EVIDENCE)
+    few = evidence(difference)
     say("looking for known mistakes")
     diagnosis = diagnose(pair, few)
     say("splitting the difference: terms, rounding, identifiability")
@@ -120,7 +118,3 @@ def explain(
         plausibility(pair.a),
         plausibility(pair.given_b),
     )
-
-
-def _first(states: States, count: int) -> States:
-    return States(states.q[:count], states.qd[:count], states.qdd[:count])

@@ -72,6 +72,7 @@ def arm_along(description: RobotDescription, chain: Chain, *, strict: bool = Tru
             tip=chain.tip,
             held=description.held_beside(moving),
             notes=(*robot.notes, *parts.notes),
+            robot=robot,
         ),
     )
 

@@ -18,6 +18,7 @@ from .diff_sections.stated_uncertainty import uncertainty_in_words
 from .difference_summary import summarize as summarize_difference
 from .explanation_json import ExplanationValue, explanation_value
 from .explanation_summary import summarize as summarize_explanation
+from .finding_json import FindingValue, finding_value
 from .json_report import Report, head
 from .json_values import (
     AlignmentValue,
@@ -145,6 +146,8 @@ class Comparison(msgspec.Struct, frozen=True, kw_only=True):
     tolerance: Vector
     others: list[OtherNumberValue]
     uncertainty: UncertaintyValue | None
+    faults_a: list[FindingValue]
+    faults_b: list[FindingValue]
 
 
 class DiffReport(Report, frozen=True, kw_only=True, tag="ur5check.diff/2"):
@@ -200,6 +203,8 @@ def comparison_value(d: Difference) -> Comparison:
         tolerance=vector(d.tolerance),
         others=[_other(other) for other in d.others],
         uncertainty=None if d.band is None else _uncertainty(d, d.band),
+        faults_a=[finding_value(fault) for fault in d.faults["a"]],
+        faults_b=[finding_value(fault) for fault in d.faults["b"]],
     )
 
 

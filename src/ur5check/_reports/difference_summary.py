@@ -41,6 +41,7 @@ def summarize(difference: Difference) -> tuple[str, ...]:
     if difference.band is not None:
         sentences.append(uncertainty_in_words(difference, difference.band))
     sentences.append(others_in_words(difference))
+    sentences += faults_in_words(difference)
     sentences.append(_residual(difference))
     return tuple(sentence for sentence in sentences if sentence)
 
@@ -193,6 +194,17 @@ def others_in_words(d: Difference) -> str:
         for quantity, joints in where.items()
     ]
     return f"Also different: {'; '.join(named)}." if named else ""
+
+
+def faults_in_words(d: Difference) -> tuple[str, ...]:
+    """Why either arm cannot exist, a sentence each."""
+    labels = {"a": d.pair.a.label, "b": d.pair.b.label}
+    return tuple(
+        f"{labels[side]} cannot exist: {fault.subject}: {fault.message} "
+        f"({', '.join(part for part in (fault.rule, str(fault.place)) if part)})."
+        for side, faults in d.faults.items()
+        for fault in faults
+    )
 
 
 def contributions_in_words(d: Difference) -> str:

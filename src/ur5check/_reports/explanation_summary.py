@@ -42,6 +42,7 @@ def summarize(explanation: Explanation) -> tuple[str, ...]:
     if difference.band is not None:
         lines.append(uncertainty_in_words(difference, difference.band))
     lines.append(difference_summary.others_in_words(difference))
+    lines += difference_summary.faults_in_words(difference)
     return tuple(line for line in lines if line)
 
 

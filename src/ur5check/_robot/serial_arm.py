@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import numpy as np
 
@@ -25,6 +25,9 @@ from .._errors import ModelError, UsageError
 from .._finding import Finding, Place
 from .inertia import Inertia
 from .transforms import Array, Transform, frozen, unit_vector
+
+if TYPE_CHECKING:
+    from .robot import Robot
 
 #: Largest rounding between a frame and the inverse of its inverse.
 _SAME_FRAME = 1e-9
@@ -210,6 +213,8 @@ class Source:
         Remarks of the reader for reports ("merged fixed link 'tool0' …").
     faults : tuple of Finding
         Errors of the file about this arm that `load(…, strict=False)` passed over.
+    robot : Robot or None
+        The whole description that the arm was taken from, with the place of each number.
     """
 
     kind: str = "value"
@@ -221,15 +226,16 @@ class Source:
     held: tuple[tuple[str, float], ...] = ()
     notes: tuple[str, ...] = ()
     faults: tuple[Finding, ...] = ()
+    robot: Robot | None = None
 
     def as_value(self) -> Source:
-        """The same source without text, model and faults, for an arm whose numbers were changed.
+        """The same source without what holds the arm's numbers, for an arm with other ones.
 
         Returns
         -------
         Source
         """
-        return replace(self, urdf=None, model=None, faults=())
+        return replace(self, urdf=None, model=None, faults=(), robot=None)
 
 
 @dataclass(frozen=True, eq=False)

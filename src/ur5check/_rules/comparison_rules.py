@@ -31,4 +31,16 @@ RULES = (
         fix="choose the arms with --tip-a and --tip-b",
         example="words",
     ),
+    Rule(
+        "CMP003",
+        "other-numbers-differ",
+        "error",
+        "two models of one robot have the same damping, friction, motors, limits and gravity",
+        "Simulators and controllers use these numbers beside the torques of the rigid bodies.",
+        "the same commands move the two differently, or stop one of them at another limit",
+        bad="two files of a robot, one with an effort limit of 15 N m in place of 150",
+        good="the same robot as URDF and as xacro",
+        fix="ur5check diff A B says which numbers differ, and where they are written",
+        example="words",
+    ),
 )

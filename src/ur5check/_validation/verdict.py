@@ -12,8 +12,9 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from .._comparison.difference import Difference
 from .._errors import EngineError, InputError
-from .._finding import SEVERITIES, Severity
+from .._finding import SEVERITIES, Finding, Severity
 from .._robot.labels import labelled
 from .._rules.finding_log import finding_of
 from .configuration import Configuration, Sorted
@@ -212,18 +213,29 @@ def _pair(a: Judgement, b: Judgement, configuration: Configuration) -> PairVerdi
         return PairVerdict(label, None, configuration.sort([found], label, pair=True))
     if pair.difference.agrees:
         return PairVerdict(label, pair, configuration.sort([], label, pair=True))
-    torques = pair.difference.torques
-    joint = int(torques.maximum.argmax())
-    largest = float(torques.maximum[joint])
-    found = finding_of(
+    fix = f"ur5check diff {a.model} {b.model} says which numbers differ"
+    found = _difference(pair.difference, label, b.samples, fix)
+    return PairVerdict(label, pair, configuration.sort([found], label, pair=True))
+
+
+def _difference(d: Difference, label: str, samples: int, fix: str) -> Finding:
+    """What differs: the torques, or the other numbers where the torques agree."""
+    if d.same_torques:
+        moving = [other for other in d.others if other.moves_joints]
+        names = ", ".join(dict.fromkeys(other.quantity for other in moving))
+        places = [p for other in moving for p in (other.place_a, other.place_b) if str(p)]
+        message = f"the same torques, but other numbers differ: {names}"
+        return finding_of("CMP003", label, message, *places, fix=fix)
+    joint = int(d.torques.maximum.argmax())
+    largest = float(d.torques.maximum[joint])
+    return finding_of(
         "CMP001",
         label,
-        f"torques differ by up to {largest:.4g} N m at joint {joint + 1} over {b.samples:,} random "
-        f"states (RMS {float(torques.rms[joint]):.4g} N m)",
+        f"torques differ by up to {largest:.4g} N m at joint {joint + 1} over {samples:,} random "
+        f"states (RMS {float(d.torques.rms[joint]):.4g} N m)",
         value=largest,
-        bound=0.0,
+        bound=float(d.tolerance[joint]),
         unit="N m",
         effect=largest,
-        fix=f"ur5check diff {a.model} {b.model} says which numbers differ",
+        fix=fix,
     )
-    return PairVerdict(label, pair, configuration.sort([found], label, pair=True))

@@ -25,6 +25,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..._dynamics.equations import gravity_torque
 from ..._dynamics.recursion import rnea
@@ -35,9 +36,15 @@ from .state_box import StateBox
 
 __all__ = ["TorqueGap", "ascend"]
 
+Bools = NDArray[np.bool_]
+
 #: An ascent ends at the sweep that gains less than this part of F.
 _LEAST_GAIN = 1e-7
 _MOST_SWEEPS = 25
+#: After the first sweep one ascent in so many goes on, after the second one in so many, but never
+#: fewer than the last number: by then the highest are those that will end highest.
+_ONE_IN = (2, 16)
+_LEAST_KEPT = 8
 #: Steps tried along the last sweep's whole move: along a ridge, sweeps take ever the same step.
 _LEAPS = np.array([0.0, 1.0, 3.0, 9.0, 27.0])
 #: Where F is tried along a coordinate, and then around the best of these.
@@ -73,16 +80,20 @@ class TorqueGap:
         return np.abs(bias) + np.abs(pushed).sum(axis=1), sign * bound
 
 
-def ascend(gap: TorqueGap, box: StateBox, starts: States, weights: Array) -> States:
+def ascend(
+    gap: TorqueGap, box: StateBox, starts: States, weights: Array, *, results: int | None = None
+) -> States:
     """The states reached from `starts`, one for each of them.
 
     weights : w, shape (N, n), a row for each start
+    results : how many the starts are for, equally many for each, one result's after the other's;
+        of each result's ascents most are given up where two sweeps have led them.  None: none is.
     """
     q, qd, qdd = starts.q.copy(), starts.qd.copy(), starts.qdd.copy()
     delta = weights * gap(q, qd, qdd)
     height = np.linalg.norm(delta, axis=1)
     rising = np.flatnonzero(height > 0.0)
-    for _ in range(_MOST_SWEEPS):
+    for sweep in range(_MOST_SWEEPS):
         if not len(rising):
             break
         direction = weights[rising] * delta[rising] / height[rising, None]
@@ -94,7 +105,15 @@ def ascend(gap: TorqueGap, box: StateBox, starts: States, weights: Array) -> Sta
         rose = top > height[rising] * (1.0 + _LEAST_GAIN)
         height[rising] = top
         rising = rising[rose]
+        if results is not None and sweep < len(_ONE_IN):
+            rising = rising[_ahead(height.reshape(results, -1), _ONE_IN[sweep])[rising]]
     return States(q, qd, qdd)
+
+
+def _ahead(height: Array, one_in: int) -> Bools:
+    """Which ascents are among the highest of their result, flat.  height : (results, starts)"""
+    rank = (-height).argsort(axis=1, kind="stable").argsort(axis=1)
+    return np.asarray(rank < max(height.shape[1] // one_in, _LEAST_KEPT)).ravel()
 
 
 class _Ascent:

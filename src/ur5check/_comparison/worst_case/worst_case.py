@@ -8,6 +8,7 @@ start reached stays unknown, so that the value is a lower bound. At rest there i
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -24,13 +25,16 @@ from .coordinate_ascent import TorqueGap, ascend
 from .gravity_bound import gravity_bounds
 from .state_box import StateBox, state_box
 
-__all__ = ["WorstCase", "worst_cases"]
+__all__ = ["WorstCase", "worst_cases", "worst_torque"]
 
 #: Each start is the best of this many random states.
 STATES_PER_START = 50
 
 #: Ascents for one result, times n; benchmarks/bench_worst_case.py measures what they find.
 STARTS_PER_JOINT = 32
+
+#: Random states that a single result is compared with.
+_FEW_STATES = 10_000
 
 #: Two ascents reached the same maximum if their values differ by less than this part: an ascent
 #: ends some 1e-7 below its own, and two different maxima are hardly ever so close.
@@ -69,7 +73,8 @@ class WorstCase:
     starts : int
         Ascents begun, from independent random states; 0 where the two arms differ by rounding only.
     reached : int
-        How many of them ended at this value, to a millionth.
+        How many of them ended at this value, to a millionth; most are given up after two sweeps,
+        where they lie below others.
     """
 
     what: Literal["one joint", "all joints together"]
@@ -86,9 +91,10 @@ class WorstCase:
 
     @property
     def undetected_share(self) -> float | None:
-        """How sure the search is: a higher maximum that is reached from more than this share of
-        starts would have been found with a probability of 95 %; 1 − 0.05^(1 / starts).  None
-        without a search.
+        """Share of starts above which a higher maximum would have been found.
+
+        With a probability of 95 %, 1 − 0.05^(1 / starts), where two sweeps tell its ascents from
+        others.  None without a search.
         """
         return 1.0 - 0.05 ** (1.0 / self.starts) if self.starts else None
 
@@ -162,10 +168,25 @@ def worst_cases(
     rest = np.zeros_like(moving.q)
     pool = box.draw(STATES_PER_START * starts, (seed, 1))
     at_rest = States(moving.q, rest, rest)
+    questions = _questions(pair)
     return (
-        *_answers(pair, box, moving, pool, static=False),
-        *_answers(pair, box, at_rest, pool, static=True),
+        *_answers(pair, box, moving, pool, questions, static=False),
+        *_answers(pair, box, at_rest, pool, questions, static=True),
     )
+
+
+def worst_torque(
+    pair: Pair, joint: int, *, seed: int = 0, acceleration: float = MAX_ACCELERATION
+) -> WorstCase:
+    """The result of `worst_cases` for one joint (from 1) in motion, at a tenth of its cost.
+
+    It is compared with fewer random states.
+    """
+    box = state_box(pair, acceleration)
+    states = box.draw(_FEW_STATES, seed)
+    pool = box.draw(STATES_PER_START * STARTS_PER_JOINT * pair.a.n, (seed, 1))
+    (case,) = _answers(pair, box, states, pool, [_questions(pair)[joint - 1]], static=False)
+    return case
 
 
 def _questions(pair: Pair) -> list[_Question]:
@@ -179,13 +200,18 @@ def _questions(pair: Pair) -> list[_Question]:
 
 
 def _answers(
-    pair: Pair, box: StateBox, states: States, pool: States, *, static: bool
+    pair: Pair,
+    box: StateBox,
+    states: States,
+    pool: States,
+    questions: Sequence[_Question],
+    *,
+    static: bool,
 ) -> list[WorstCase]:
     """One result for each question; the ascents of all of them are made together."""
     delta, rounding = _delta(pair, states, static)
     starts = len(pool) // STATES_PER_START
     bounds = gravity_bounds(pair, box) if static else None
-    questions = _questions(pair)
     rounded = [rounding * float(np.linalg.norm(question.weights)) for question in questions]
     best = [int(question.values(delta).argmax()) for question in questions]
     searched = [
@@ -198,7 +224,7 @@ def _answers(
         gap = TorqueGap(pair, static)
         begin = _starts(gap, box, pool, [questions[k] for k in searched])
         weights = np.repeat([questions[k].weights for k in searched], starts, axis=0)
-        reached = ascend(gap, box, begin, weights)
+        reached = ascend(gap, box, begin, weights, results=len(searched))
         ends = {k: _at(reached, np.arange(starts) + i * starts) for i, k in enumerate(searched)}
     cases = []
     for k, question in enumerate(questions):

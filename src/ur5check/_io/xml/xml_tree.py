@@ -133,17 +133,22 @@ class XmlNode:
 
         In a text made from other files: where the element was written, and by which way it came.
         """
-        offset = self.offset
-        if attribute is not None:
-            # The element has the attribute, so the first one after its start is its own.
-            pattern = rb"\s" + re.escape(attribute.encode()) + rb"""\s*=\s*["']"""
-            found = re.compile(pattern).search(self.file.data, offset)
-            offset = offset if found is None else found.end()
+        offset = self.offset if attribute is None else self.value_span(attribute)[0]
         line, column = self.file.line_column(offset)
         here = Place(self.file.name, line, column, element)
         if self.source is None:
             return here
         return replace(self.source, element=element, via=(*self.source.via, here))
+
+    def value_span(self, attribute: str) -> tuple[int, int]:
+        """The bytes between an attribute's quotes; none, at the element's start, without it."""
+        # The element has the attribute, so the first one after its start is its own.
+        name = re.escape(attribute.encode())
+        pattern = re.compile(rb"\s" + name + rb"""\s*=\s*(?:"([^"]*)|'([^']*))""")
+        found = (
+            pattern.search(self.file.data, self.offset) if attribute in self.attributes else None
+        )
+        return (self.offset, self.offset) if found is None else found.span(found.lastindex or 0)
 
 
 def checked_xml(data: bytes, file: str) -> bytes:
