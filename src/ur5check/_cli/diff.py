@@ -14,17 +14,18 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from .._errors import UsageError
+from .._reports.report_formats import Contents
 from .options import (
     MODELS,
     ModelOptions,
     add_gravity_option,
     add_model_options,
-    add_output_options,
     add_state_options,
     command_line,
     progress,
 )
-from .output import check_output, emit, format_of, rendered
+from .output import check_output
+from .report_output import add_report_options, check_reports, is_report, write_reports
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -76,7 +77,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add_state_options(parser)
     add_gravity_option(parser)
     add_model_options(parser, ("a", "b"))
-    add_output_options(parser)
+    add_report_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -118,15 +119,12 @@ def run(args: argparse.Namespace) -> int:
     command = command_line("diff", args, models)
     if args.tolerance is not None:
         command += f" --tolerance {shlex.quote(args.tolerance)}"
-    form = format_of(args.format, args.output)
-    text = rendered(
-        form,
-        args.output,
-        document=lambda: diff_document(
+    contents = Contents(
+        document=lambda target: diff_document(
             d,
             explanation,
             parameters=parameters,
-            written_out=args.by_parameter or form.all_tables,
+            written_out=args.by_parameter or target.form.all_tables,
             command=command,
         ),
         report=lambda: diff_json(d, explanation, parameters=parameters, command=command),
@@ -135,7 +133,7 @@ def run(args: argparse.Namespace) -> int:
         from .repaired_model import repair
 
         repair(explanation, args.repair, say)
-    emit(text, args.output)
+    write_reports(args, contents)
     return 0 if d.agrees else 1
 
 
@@ -148,11 +146,11 @@ def _check_options(args: argparse.Namespace) -> None:
         return
     if Path(args.repair).suffix.lower() != ".urdf":
         raise UsageError(f"--repair {args.repair}: a URDF is written there; end its name in .urdf")
-    if args.output is not None and Path(args.output).resolve() == Path(args.repair).resolve():
+    if is_report(args, args.repair):
         raise UsageError(f"--repair {args.repair}: the report goes there (-o); name another file")
 
 
 def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
     inputs = tuple(inputs)
-    check_output(args.output, inputs)
+    check_reports(args, inputs)
     check_output(args.repair, inputs, option="--repair")

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, TypedDict
 from .._errors import UsageError
 from .._io.formats import FORMATS as MODEL_FORMATS
 from .._io.formats import format_by_suffix, suffixes_in_words
-from .._reports.report_formats import FORMATS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,14 +42,8 @@ _CHAIN = ("base", "tip", "arm")
 _FLAGS = ("quick", "by_parameter")
 
 
-def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True) -> None:
-    """--format, -o, --quiet."""
-    if formats:
-        parser.add_argument(
-            "--format",
-            choices=[form.name for form in FORMATS],
-            help="format of the report (default: from the suffix of -o, else text)",
-        )
+def add_output_options(parser: argparse.ArgumentParser) -> None:
+    """-o, --quiet, for a command that makes one text; one with reports: `add_report_options`."""
     parser.add_argument(
         "-o", "--output", metavar="FILE", help="write to this file instead of stdout"
     )

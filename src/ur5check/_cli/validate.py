@@ -19,19 +19,21 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .._errors import UsageError
+from .._reports.report_formats import Contents
 from .options import (
     MODELS,
     add_model_options,
-    add_output_options,
     add_state_options,
     chain_options,
     command_line,
     name_value_pairs,
     progress,
 )
-from .output import check_output, emit, format_of, rendered
+from .report_output import add_report_options, check_reports, write_reports
 
 if TYPE_CHECKING:
+    from .._reports.document import Document
+    from .._reports.report_formats import Target
     from .._validation.configuration import Configuration
     from .._validation.validation import Validation
     from .._validation.verdict import Request, VerdictSet
@@ -94,7 +96,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add_state_options(parser, many=True)
     add_model_options(parser, ("", "a", "b"))
-    add_output_options(parser)
+    add_report_options(parser, findings=True)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -109,7 +111,7 @@ def run(args: argparse.Namespace) -> int:
         raise UsageError(f"{', '.join(args.models)}: no .urdf or .urdf.xacro file is in there")
     named = [*models, *([] if args.against is None else [args.against])]
     packages = name_value_pairs(args.package, "--package", "=")
-    check_output(args.output, [file for m in named for file in input_files(m, (), packages)])
+    check_reports(args, [file for m in named for file in input_files(m, (), packages)])
     if args.config is not None:
         configuration = read_configuration(Path(args.config))
     elif paper:
@@ -138,11 +140,11 @@ def run(args: argparse.Namespace) -> int:
         (reference,) = verdicts([asked], configuration, args.fail_level, progress=say)
     verdict_set = compare_verdicts(results, reference, configuration, progress=say)
     read = [(j.model, j.robot) for j in verdict_set.read]
-    check_output(
-        args.output,
+    check_reports(
+        args,
         [file for m, x in read if x is not None for file in input_files(m, x.inputs, packages)],
     )
-    emit(_text(args, verdict_set, configuration, _command(args)), args.output)
+    write_reports(args, _contents(args, verdict_set, configuration))
     return 0 if verdict_set.passed else 1
 
 
@@ -208,26 +210,36 @@ def _papers_configuration() -> Configuration:
     return read_configuration(models_directory() / "ur5check.toml", "models/ur5check.toml")
 
 
-def _text(
-    args: argparse.Namespace, verdicts: VerdictSet, configuration: Configuration, command: str
-) -> str:
+def _contents(
+    args: argparse.Namespace, verdicts: VerdictSet, configuration: Configuration
+) -> Contents:
+    """What the reports are rendered from: text is a screen, and with --full or in a file all."""
+    from .._reports.terminal import render_text
     from .._reports.validate_json import validate_json
     from .._reports.verdict_document import verdict_document
     from .._reports.verdict_text import verdicts_text
 
-    laws = _laws(args, verdicts)
-    form = format_of(args.format, args.output)
-    if form.name == "text" and not args.full and args.output is None:
-        return verdicts_text(verdicts)
-    tables = rendered(
-        form,
-        args.output,
-        document=lambda: verdict_document(verdicts, laws, configuration, command=command),
+    laws, command = _laws(args, verdicts), _command(args)
+
+    def document(target: Target) -> Document:
+        return verdict_document(verdicts, laws, configuration, command=command)
+
+    def text(target: Target) -> str:
+        if not args.full and target.file is None:
+            return verdicts_text(verdicts)
+        tables = render_text(document(target), width=target.width, colour=target.colour)
+        return f"{verdicts_text(verdicts, full=True)}\n{tables}"
+
+    return Contents(
+        document=document,
         report=lambda: validate_json(
             laws, verdicts=verdicts, configuration=configuration, command=command
         ),
+        text=text,
+        verdicts=verdicts,
+        configuration=configuration,
+        command=command,
     )
-    return f"{verdicts_text(verdicts, full=True)}\n{tables}" if form.name == "text" else tables
 
 
 def _laws(args: argparse.Namespace, verdicts: VerdictSet) -> Validation:

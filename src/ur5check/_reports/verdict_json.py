@@ -9,7 +9,8 @@ import msgspec
 from .._finding import Finding
 from .._validation.configuration import Sorted
 from .._validation.judgement import Judgement
-from .._validation.verdict import PairVerdict, Verdict
+from .._validation.verdict import PairVerdict, Verdict, VerdictSet
+from .json_report import json_line
 from .json_values import Number
 
 __all__ = [
@@ -19,6 +20,7 @@ __all__ = [
     "agreement_value",
     "file_verdict",
     "finding_value",
+    "json_lines",
 ]
 
 
@@ -82,7 +84,7 @@ class ArmValue(msgspec.Struct, frozen=True, kw_only=True):
 class FileVerdict(msgspec.Struct, frozen=True, kw_only=True):
     """The verdict on one file.
 
-    engines: whose import of it was audited
+    engines: whose import of it was audited;  known: findings that the baseline holds
     """
 
     model: str
@@ -96,6 +98,7 @@ class FileVerdict(msgspec.Struct, frozen=True, kw_only=True):
     engines: list[str]
     findings: list[FindingValue]
     accepted: list[AcceptedFinding]
+    known: list[FindingValue]
     stale: list[StaleAcceptance]
 
 
@@ -124,6 +127,7 @@ def file_verdict(v: Verdict) -> FileVerdict:
         engines=list(j.engines),
         findings=[finding_value(finding) for finding in s.open],
         accepted=_accepted(s),
+        known=[finding_value(finding) for finding in s.known],
         stale=_stale(s),
     )
 
@@ -142,6 +146,12 @@ def _arm(j: Judgement) -> ArmValue | None:
         return None
     source = j.arm.source
     return ArmValue(base=source.base, tip=source.tip, joints=list(j.arm.joint_names))
+
+
+def json_lines(verdicts: VerdictSet) -> str:
+    """The verdict on each file as one line of JSON, then the agreement of each pair."""
+    lines = [json_line(file_verdict(v)) for v in verdicts.models]
+    return "".join([*lines, *(json_line(agreement_value(pair)) for pair in verdicts.pairs)])
 
 
 def agreement_value(pair: PairVerdict) -> Agreement:

@@ -145,7 +145,7 @@ def _facts(j: Judgement, s: Sorted) -> list[str]:
         facts.append(f"arm        none: {j.arm_note}")
     if j.laws is not None:
         outcomes = [o for o in j.laws.outcomes if o.about == "algorithm"]
-        failed = [o.id for o in outcomes if not o.passed]
+        failed = j.failed_laws
         torque = next((o.value for o in outcomes if o.id == "torque-reference"), float(np.nan))
         agree = (
             f"hand-written recursion and {j.laws.reference} agree: {len(outcomes)} laws, "

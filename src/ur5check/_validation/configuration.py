@@ -59,11 +59,18 @@ class Sorted:
     """Findings of one file as a configuration sorts them.
 
     open : that count;  accepted : with their acceptances;  stale : acceptances that cover nothing
+    known : that the baseline holds, and that count for nothing either
     """
 
     open: tuple[Finding, ...]
     accepted: tuple[tuple[Finding, Acceptance], ...]
     stale: tuple[Acceptance, ...]
+    known: tuple[Finding, ...] = ()
+
+    @property
+    def all(self) -> tuple[Finding, ...]:
+        """Those that count, the accepted and the known ones."""
+        return (*self.open, *(finding for finding, _ in self.accepted), *self.known)
 
 
 @dataclass(frozen=True)
@@ -82,6 +89,15 @@ class Configuration:
     per_file: tuple[tuple[str, tuple[str, ...]], ...] = ()
     accepted: tuple[Acceptance, ...] = ()
 
+    def asks(self, rule: str, file: str) -> bool:
+        """Whether a rule is asked of a file: selected, and not ignored."""
+        ignored = [*self.ignore]
+        for pattern, rules in self.per_file:
+            if _matches(file, pattern):
+                ignored += rules
+        chosen = not self.select or rule.startswith(self.select)
+        return chosen and not rule.startswith(tuple(ignored))
+
     def sort(
         self,
         findings: Sequence[Finding],
@@ -97,21 +113,10 @@ class Configuration:
         engines : whether engines were asked (family ENG)
         """
         day = today or datetime.date.today()
-        ignored = (
-            *self.ignore,
-            *(
-                rule
-                for pattern, rules in self.per_file
-                if _matches(file, pattern)
-                for rule in rules
-            ),
-        )
         kept, accepted = [], []
         used: set[Acceptance] = set()
         for finding in findings:
-            if self.select and not finding.rule.startswith(self.select):
-                continue
-            if ignored and finding.rule.startswith(ignored):
+            if not self.asks(finding.rule, file):
                 continue
             covering = [a for a in self.accepted if a.covers(finding, file, day)]
             used.update(covering)

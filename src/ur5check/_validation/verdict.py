@@ -133,11 +133,13 @@ def _verdict(j: Judgement, configuration: Configuration, fail_level: Severity) -
 class PairVerdict:
     """Whether two models agree.
 
+    file : of the second
     comparison : None where their arms cannot be compared
     findings : as the configuration sorts them
     """
 
     label: str
+    file: str
     comparison: PairValidation | None
     findings: Sorted
 
@@ -202,16 +204,16 @@ def _pair(a: Judgement, b: Judgement, configuration: Configuration) -> PairVerdi
         label = f"{a.file} and {b.file}"
         missing = a if a.arm is None else b
         found = finding_of("CMP002", label, f"{missing.file} has no arm: {missing.arm_note}")
-        return PairVerdict(label, None, configuration.sort([found], label, pair=True))
+        return PairVerdict(label, b.file, None, configuration.sort([found], label, pair=True))
     arm_a, arm_b = labelled([a.arm, b.arm])
     label = f"{arm_a.label} and {arm_b.label}"
     try:
         pair = validate_pair(arm_a, arm_b, PinocchioEngine(arm_b), b.samples, b.seed)
     except (InputError, EngineError) as error:
         found = finding_of("CMP002", label, str(error))
-        return PairVerdict(label, None, configuration.sort([found], label, pair=True))
+        return PairVerdict(label, b.file, None, configuration.sort([found], label, pair=True))
     if pair.difference.agrees:
-        return PairVerdict(label, pair, configuration.sort([], label, pair=True))
+        return PairVerdict(label, b.file, pair, configuration.sort([], label, pair=True))
     torques = pair.difference.torques
     joint = int(torques.maximum.argmax())
     largest = float(torques.maximum[joint])
@@ -226,4 +228,4 @@ def _pair(a: Judgement, b: Judgement, configuration: Configuration) -> PairVerdi
         effect=largest,
         fix=f"ur5check diff {a.model} {b.model} says which numbers differ",
     )
-    return PairVerdict(label, pair, configuration.sort([found], label, pair=True))
+    return PairVerdict(label, b.file, pair, configuration.sort([found], label, pair=True))
