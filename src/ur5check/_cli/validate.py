@@ -29,11 +29,13 @@ from .options import (
     name_value_pairs,
     progress,
 )
+from .output import check_output, emit
 from .report_output import add_report_options, check_reports, write_reports
 
 if TYPE_CHECKING:
     from .._reports.document import Document
     from .._reports.report_formats import Target
+    from .._validation.baseline import Baseline
     from .._validation.configuration import Configuration
     from .._validation.validation import Validation
     from .._validation.verdict import Request, VerdictSet
@@ -71,6 +73,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--config", metavar="FILE", help="accepted findings (default: nearest ur5check.toml)"
+    )
+    parser.add_argument(
+        "--baseline", metavar="FILE", help="findings that are known; only others count"
+    )
+    parser.add_argument(
+        "--update-baseline",
+        action="store_true",
+        help="write today's findings to the file of --baseline",
     )
     parser.add_argument(
         "--expect-mass", type=float, metavar="KG", help="mass of the whole robot, to 5 %%"
@@ -118,6 +128,7 @@ def run(args: argparse.Namespace) -> int:
         configuration = _papers_configuration()
     else:
         configuration = find_configuration(_folder_of(models[0]))
+    baseline = _baseline(args)
     if args.samples is None:
         args.samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
     if args.engines is None:
@@ -144,8 +155,40 @@ def run(args: argparse.Namespace) -> int:
         args,
         [file for m, x in read if x is not None for file in input_files(m, x.inputs, packages)],
     )
+    if baseline is not None:
+        verdict_set = _against_baseline(args, verdict_set, baseline)
     write_reports(args, _contents(args, verdict_set, configuration))
     return 0 if verdict_set.passed else 1
+
+
+def _baseline(args: argparse.Namespace) -> Baseline | None:
+    """What --baseline holds.  Raises UsageError for a file that is none, or cannot be written."""
+    from .._validation.baseline import Baseline, read_baseline
+
+    if args.baseline is None:
+        if args.update_baseline:
+            raise UsageError("--update-baseline needs the file: --baseline FILE")
+        return None
+    file = Path(args.baseline)
+    if not args.update_baseline:
+        return read_baseline(file)
+    check_output(args.baseline, (), option="--baseline")
+    return read_baseline(file) if file.exists() else Baseline(file.resolve().parent)
+
+
+def _against_baseline(
+    args: argparse.Namespace, verdicts: VerdictSet, baseline: Baseline
+) -> VerdictSet:
+    from .._validation.baseline import baseline_of, with_baseline
+
+    if args.update_baseline:
+        baseline = baseline_of(verdicts, baseline)
+        emit(baseline.text(), args.baseline, option="--baseline")
+        progress(args.quiet, f"{args.baseline} holds {len(baseline.entries)} findings")
+    elif gone := baseline.gone(verdicts):
+        count = f"{len(gone)} of its findings no longer occur"
+        progress(args.quiet, f"{args.baseline}: {count}; --update-baseline takes them out")
+    return with_baseline(verdicts, baseline)
 
 
 def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
@@ -190,6 +233,8 @@ def _command(args: argparse.Namespace) -> str:
         words += ["--against", shlex.quote(args.against)]
     if args.config is not None:
         words += ["--config", shlex.quote(args.config)]
+    if args.baseline is not None:
+        words += ["--baseline", shlex.quote(args.baseline)]
     if args.expect_mass is not None:
         words += ["--expect-mass", repr(args.expect_mass)]
     words += ["--payload", repr(args.payload)]

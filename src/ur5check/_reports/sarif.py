@@ -92,20 +92,21 @@ def _invocation(verdicts: VerdictSet, command: str) -> Json:
 
 def _results(verdicts: VerdictSet) -> Iterator[Json]:
     judged = [
-        *((v.judgement.file, v.findings) for v in verdicts.models),
-        *((pair.file, pair.findings) for pair in verdicts.pairs),
+        *((v.judgement.file, v.judgement.findings, v.findings) for v in verdicts.models),
+        *((pair.file, pair.findings.all, pair.findings) for pair in verdicts.pairs),
     ]
-    for file, sorted_findings in judged:
-        reasons = {id(f): a.reason for f, a in sorted_findings.accepted}
-        known = {id(f) for f in sorted_findings.known}
-        findings = sorted_findings.all
-        for finding, print_ in zip(findings, fingerprints(findings, file), strict=True):
+    for file, found, by_kind in judged:
+        reasons = {finding: acceptance.reason for finding, acceptance in by_kind.accepted}
+        asked = set(by_kind.all)
+        for finding, print_ in zip(found, fingerprints(found, file), strict=True):
+            if finding not in asked:
+                continue
             result = _result(finding, file, print_)
-            if id(finding) in reasons:
-                justification = reasons[id(finding)]
-                result["suppressions"] = [{"kind": "external", "justification": justification}]
-            if known:
-                result["baselineState"] = "unchanged" if id(finding) in known else "new"
+            if finding in reasons:
+                suppression = {"kind": "external", "justification": reasons[finding]}
+                result["suppressions"] = [suppression]
+            if verdicts.against_baseline:
+                result["baselineState"] = "unchanged" if finding in by_kind.known else "new"
             yield result
 
 

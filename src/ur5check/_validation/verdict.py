@@ -155,11 +155,13 @@ class VerdictSet:
     """What one call judged.
 
     pairs : of two models; of each model and the `reference`, where there is one
+    against_baseline : whether findings were compared with a baseline
     """
 
     models: tuple[Verdict, ...]
     pairs: tuple[PairVerdict, ...] = ()
     reference: Verdict | None = None
+    against_baseline: bool = False
 
     @property
     def passed(self) -> bool:
