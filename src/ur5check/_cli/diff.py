@@ -3,7 +3,8 @@ attributed to, the known mistakes that explain it, and the configuration within
 the joint limits where it is largest.
 
 Exit code 0: no torque differs by more than the tolerance, and damping, friction,
-limits, motors and gravity are the same. 1: something differs.
+limits, motors and gravity are the same. 1: something differs, or a finding is
+new since the commit of --against-git.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import argparse
 import shlex
 from collections.abc import Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .._errors import UsageError
 from .._reports.report_formats import Contents
@@ -27,6 +29,10 @@ from .options import (
 from .output import check_output
 from .report_output import add_report_options, check_reports, is_report, write_reports
 
+if TYPE_CHECKING:
+    from .._reports.document import Document
+    from .._reports.report_formats import Target
+
 __all__ = ["EXAMPLES", "add_options", "run"]
 
 EXAMPLES = f"""\
@@ -36,13 +42,19 @@ examples:
   ur5check diff paper appendix
   ur5check diff vendor.urdf mine.urdf --tip-a tool0 --tip-b tool0 -o diff.md
   ur5check diff vendor.urdf mine.urdf --repair repaired.urdf
+  ur5check diff arm.urdf.xacro --against-git main
 """
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `diff` takes."""
     parser.add_argument("a", metavar="A", help="the reference model")
-    parser.add_argument("b", metavar="B", help="the model that is compared with it")
+    parser.add_argument("b", metavar="B", nargs="?", help="the model that is compared with it")
+    parser.add_argument(
+        "--against-git",
+        metavar="REF",
+        help="compare file A as commit REF has it with the file as it is: torques, mass, findings",
+    )
     parser.add_argument(
         "--quick",
         action="store_true",
@@ -82,11 +94,19 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Compare, explain, report, and say whether they agree."""
-    models = (args.a, args.b)
+    models = _models(args)
     options = ModelOptions.of(args, models)
     _check_options(args)
     _check_outputs(args, ())
-    arms = options.load(quiet=args.quiet)
+    change = None
+    if args.against_git is None:
+        arms = options.load(quiet=args.quiet)
+    else:
+        from .git_comparison import arms_and_change
+
+        arms, change = arms_and_change(
+            args.against_git, options, lambda line: progress(args.quiet, line)
+        )
     _check_outputs(args, options.files(arms))
 
     from .._comparison.attribution_detail import by_parameter
@@ -94,6 +114,7 @@ def run(args: argparse.Namespace) -> int:
     from .._comparison.explanation import explain
     from .._reports.diff_document import diff_document
     from .._reports.diff_json import diff_json
+    from .._reports.revision_section import with_change
     from .._robot.states import MAX_ACCELERATION
 
     def say(line: str) -> None:
@@ -116,25 +137,44 @@ def run(args: argparse.Namespace) -> int:
             args.acceleration = MAX_ACCELERATION
         explanation = explain(d, acceleration=args.acceleration, progress=say)
     parameters = by_parameter(d.pair, d.states) if args.by_parameter else None
-    command = command_line("diff", args, models)
+    command = command_line("diff", args, models if change is None else models[:1])
+    if change is not None:
+        command += f" --against-git {shlex.quote(change.revision)}"
     if args.tolerance is not None:
         command += f" --tolerance {shlex.quote(args.tolerance)}"
-    contents = Contents(
-        document=lambda target: diff_document(
+
+    def document(target: Target) -> Document:
+        made = diff_document(
             d,
             explanation,
             parameters=parameters,
             written_out=args.by_parameter or target.form.all_tables,
             command=command,
+        )
+        return made if change is None else with_change(made, change)
+
+    contents = Contents(
+        document=document,
+        report=lambda: diff_json(
+            d, explanation, parameters=parameters, change=change, command=command
         ),
-        report=lambda: diff_json(d, explanation, parameters=parameters, command=command),
     )
     if args.repair is not None and explanation is not None:
         from .repaired_model import repair
 
         repair(explanation, args.repair, say)
     write_reports(args, contents)
-    return 0 if d.agrees else 1
+    return 0 if d.agrees and (change is None or not change.new) else 1
+
+
+def _models(args: argparse.Namespace) -> tuple[str, str]:
+    """A and B, or one file twice.  Raises UsageError for a model too few or too many."""
+    if args.against_git is not None and args.b is not None:
+        raise UsageError("--against-git compares one file with itself; give no second model")
+    b = args.a if args.against_git is not None else args.b
+    if b is None:
+        raise UsageError("a model is required: B; see `ur5check diff --help`")
+    return args.a, b
 
 
 def _check_options(args: argparse.Namespace) -> None:

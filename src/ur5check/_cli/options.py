@@ -138,15 +138,17 @@ class ModelOptions:
             raise UsageError("--arg has no meaning here: none of the models is a xacro")
         return cls(models, chains, name_value_pairs(args.package, "--package", "="), arguments)
 
-    def load(self, *, quiet: bool) -> list[SerialArm]:
-        """Every arm, in order."""
+    def load(self, *, quiet: bool, strict: bool = True) -> list[SerialArm]:
+        """Every arm, in order.  strict : refuse bodies that cannot exist, as `load` does"""
         from .._io.loading import load
 
         arms = []
         for model, chain in zip(self.models, self.chains, strict=True):
             progress(quiet, f"reading {model}")
             arguments = self.arguments if _is_xacro(model) else None
-            arms.append(load(model, **chain, packages=self.packages, arguments=arguments))
+            arms.append(
+                load(model, **chain, packages=self.packages, arguments=arguments, strict=strict)
+            )
         return arms
 
     def load_arm_or_tree(self, *, whole: bool, quiet: bool) -> ArmOrTree:
