@@ -119,15 +119,17 @@ def run(args: argparse.Namespace) -> int:
     models = ["paper", "appendix"] if paper else files_under(args.models)
     if not models:
         raise UsageError(f"{', '.join(args.models)}: no .urdf or .urdf.xacro file is in there")
-    named = [*models, *([] if args.against is None else [args.against])]
-    packages = name_value_pairs(args.package, "--package", "=")
-    check_reports(args, [file for m in named for file in input_files(m, (), packages)])
     if args.config is not None:
         configuration = read_configuration(Path(args.config))
     elif paper:
         configuration = _papers_configuration()
     else:
         configuration = find_configuration(_folder_of(models[0]))
+    if args.against is None and not paper:
+        args.against = configuration.against
+    named = [*models, *([] if args.against is None else [args.against])]
+    packages = name_value_pairs(args.package, "--package", "=")
+    check_reports(args, [file for m in named for file in input_files(m, (), packages)])
     baseline = _baseline(args)
     if args.samples is None:
         args.samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
@@ -135,7 +137,7 @@ def run(args: argparse.Namespace) -> int:
         args.engines = ",".join(configuration.engines)
     if args.fail_level is None:
         args.fail_level = configuration.fail_level
-    requests = _requests(args, models)
+    requests = [request.with_settings(configuration) for request in _requests(args, models)]
     jobs = (os.cpu_count() or 1) if args.jobs is None else args.jobs
     if jobs < 1:
         raise UsageError(f"--jobs {jobs}: give one or more")
@@ -147,7 +149,8 @@ def run(args: argparse.Namespace) -> int:
     results = list(verdicts(requests, configuration, args.fail_level, jobs=jobs, progress=say))
     reference = None
     if args.against is not None:
-        asked = replace(requests[0], model=args.against, base=None, tip=None, arm=None, hold=())
+        asked = replace(_requests(args, models)[0], model=args.against, hold=())
+        asked = replace(asked, base=None, tip=None, arm=None).with_settings(configuration)
         (reference,) = verdicts([asked], configuration, args.fail_level, progress=say)
     verdict_set = compare_verdicts(results, reference, configuration, progress=say)
     read = [(j.model, j.robot) for j in verdict_set.read]

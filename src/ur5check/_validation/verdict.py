@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .._errors import EngineError, InputError
@@ -51,6 +51,29 @@ class Request:
     expected_mass: float | None = None
     meshes: bool = True
     engines: tuple[str, ...] = ()
+
+    def with_settings(self, configuration: Configuration) -> Request:
+        """The request with what the configuration says of the file, where it says more.
+
+        What the request has itself counts first.
+        """
+        settings = configuration.settings_of(self.model)
+        chosen = (self.base, self.tip, self.arm) != (None, None, None)
+        base, tip, arm = (
+            (self.base, self.tip, self.arm)
+            if chosen
+            else (settings.base, settings.tip, settings.arm)
+        )
+        arguments = dict(settings.arguments) | dict(self.arguments)
+        mass = settings.expected_mass if self.expected_mass is None else self.expected_mass
+        return replace(
+            self,
+            base=base,
+            tip=tip,
+            arm=arm,
+            arguments=tuple(arguments.items()),
+            expected_mass=mass,
+        )
 
     def judge(self) -> Judgement:
         """Raises UsageError as `judge` does."""
