@@ -9,8 +9,11 @@
         testing.check(MyEngine, case, law)
 
 `MyEngine(arm, gravity)` must follow the protocol `ur5check.results.Engine`.
+
+And every rule for models, in a test of your own: `parametrize_with_rules`.
 """
 
 from ._engines.conformance import CASES, LAWS, Case, Law, check, violations
+from ._pytest.rule_parameters import parametrize_with_rules
 
-__all__ = ["CASES", "LAWS", "Case", "Law", "check", "violations"]
+__all__ = ["CASES", "LAWS", "Case", "Law", "check", "parametrize_with_rules", "violations"]

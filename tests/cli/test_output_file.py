@@ -26,8 +26,47 @@ def test_the_suffix_chooses_the_format(ur5check: Command, tmp_path: Path) -> Non
     assert json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["model"]["name"] == "paper"
     assert (tmp_path / "r.md").read_text(encoding="utf-8").startswith("# paper\n")
     assert (tmp_path / "r.txt").read_text(encoding="utf-8").startswith("paper\n")
-    said = ur5check("show", "paper", "-o", tmp_path / "r.md", "--format", "json")
-    json.loads((tmp_path / "r.md").read_text(encoding="utf-8"))
+
+
+def test_several_reports_of_one_run(ur5check: Command, tmp_path: Path) -> None:
+    files = [tmp_path / "r.md", tmp_path / "r.json"]
+    options = [word for file in files for word in ("-o", file)]
+    said = ur5check("show", "paper", *options, "--format", "text", "--format", "json")
+    assert said.code == 0
+    assert files[0].read_text(encoding="utf-8").startswith("# paper\n")
+    text, _, report = said.out.partition("{\n")
+    assert text.startswith("paper\n")
+    assert json.loads("{\n" + report) == json.loads(files[1].read_text(encoding="utf-8"))
+
+
+def test_a_named_format_is_that_of_a_file_without_a_known_suffix(
+    ur5check: Command, tmp_path: Path
+) -> None:
+    assert ur5check("show", "paper", "-o", tmp_path / "step", "--format", "json").out == ""
+    json.loads((tmp_path / "step").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize(
+    ("command", "options"),
+    [
+        ("show paper", "-o r.log"),
+        ("show paper", "-o report"),
+        ("show paper", "-o r.txt -o r.log"),
+        ("show paper", "-o a.md -o ./a.md"),
+        ("show paper", "-o r.sarif"),
+        ("show paper", "--format sarif"),
+        ("diff paper appendix", "-o r.summary.md"),
+        ("engines paper", "--format junit"),
+        ("validate paper", "-o r.log"),
+    ],
+)
+def test_a_report_that_no_format_fits_is_refused(
+    ur5check: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: str, options: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = ur5check(*command.split(), *options.split())
+    assert (said.code, said.out, said.err.count("\n")) == (2, "", 1)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_models_that_differ_are_written_too(ur5check: Command, tmp_path: Path) -> None:
@@ -69,7 +108,7 @@ def test_the_mode_of_an_old_file_stays(ur5check: Command, tmp_path: Path) -> Non
 
 def test_a_link_stays_a_link(ur5check: Command, tmp_path: Path) -> None:
     (tmp_path / "link").symlink_to(tmp_path / "target")
-    assert ur5check("show", "paper", "-o", tmp_path / "link").code == 0
+    assert ur5check("show", "paper", "-o", tmp_path / "link", "--format", "text").code == 0
     assert (tmp_path / "link").is_symlink()
     assert (tmp_path / "target").is_file()
 
@@ -95,8 +134,9 @@ def test_no_input_is_overwritten(ur5check: Command, tmp_path: Path, command: str
     )
     os.link(part, tmp_path / "same.txt")
     before = part.read_bytes()
+    as_text = ("--format", "text") if command == "show" else ()
     for output in (robot, part, tmp_path / "same.txt"):
-        code, out, err = ur5check(command, robot, "-o", output)
+        code, out, err = ur5check(command, robot, "-o", output, *as_text)
         assert (code, out) == (2, ""), err
         assert err.endswith("is one of the inputs; name another file\n")
     assert part.read_bytes() == before
@@ -106,7 +146,7 @@ def test_no_input_is_overwritten(ur5check: Command, tmp_path: Path, command: str
 def test_no_shipped_model_is_overwritten(ur5check: Command) -> None:
     included = SHIPPED_MODELS["appendix"].path().with_name("ur5.urdf.xacro")
     for model, path in (("paper", SHIPPED_MODELS["paper"].path()), ("appendix", included)):
-        code, _, err = ur5check("validate", model, *FEW, "-o", path)
+        code, _, err = ur5check("validate", model, *FEW, "-o", path, "--format", "text")
         assert code == 2
         assert "is one of the inputs" in err
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import ur5check
@@ -37,3 +39,10 @@ def difference(request: pytest.FixtureRequest) -> Difference:
 @pytest.fixture(scope="session")
 def explanation(difference: Difference) -> Explanation:
     return ur5check.explain(difference)
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder, which is the current one."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path

@@ -36,7 +36,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         f"{', '.join(form.suffixes[0] for form in WRITABLE.values())})",
     )
     add_model_options(parser, ("",))
-    add_output_options(parser, formats=False)
+    add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:

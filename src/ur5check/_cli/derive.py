@@ -56,7 +56,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="numeric: the model's values (default); symbolic: names such as m2, cx2, Izz2, a2, d4",
     )
     add_model_options(parser, ("",))
-    add_output_options(parser, formats=False)
+    add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:

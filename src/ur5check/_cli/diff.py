@@ -4,7 +4,8 @@ the joint limits where it is largest.
 
 Exit code 0: no torque differs by more than the tolerance, and damping, friction,
 limits, motors and gravity are the same. 1: something differs, or a model cannot
-exist (it is compared all the same) or has a number that cannot be read.
+exist (it is compared all the same) or has a number that cannot be read, or a finding is
+new since the commit of --against-git.
 The tolerance is a millionth of the largest torque, or a ten-thousandth where rounded
 digits such as 1.5708 for π/2 explain the difference, unless --tolerance gives another.
 """
@@ -18,21 +19,31 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .._errors import ModelError, UsageError
+from .._reports.report_formats import Contents
 from .options import (
     MODELS,
     ModelOptions,
     add_gravity_option,
     add_model_options,
-    add_output_options,
     add_state_options,
     command_line,
     progress,
 )
-from .output import check_output, emit, format_of, rendered
+from .output import check_output
+from .report_output import (
+    add_report_options,
+    check_reports,
+    is_report,
+    report_targets,
+    write_reports,
+)
 
 if TYPE_CHECKING:
     from .._comparison.diagnosis.diagnosis import Diagnosis
     from .._comparison.difference import Difference
+    from .._reports.document import Document
+    from .._reports.report_formats import Target
+    from .._validation.revision_change import RevisionChange
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -43,13 +54,19 @@ examples:
   ur5check diff paper appendix
   ur5check diff vendor.urdf mine.urdf --tip-a tool0 --tip-b tool0 -o diff.md
   ur5check diff vendor.urdf mine.urdf --repair repaired.urdf
+  ur5check diff arm.urdf.xacro --against-git main
 """
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `diff` takes."""
     parser.add_argument("a", metavar="A", help="the reference model")
-    parser.add_argument("b", metavar="B", help="the model that is compared with it")
+    parser.add_argument("b", metavar="B", nargs="?", help="the model that is compared with it")
+    parser.add_argument(
+        "--against-git",
+        metavar="REF",
+        help="compare file A as commit REF has it with the file as it is: torques, mass, findings",
+    )
     parser.add_argument(
         "--quick",
         action="store_true",
@@ -95,17 +112,27 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add_state_options(parser)
     add_gravity_option(parser)
     add_model_options(parser, ("a", "b"))
-    add_output_options(parser)
+    add_report_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
     """Compare, explain, report, and say whether they agree."""
-    models = (args.a, args.b)
+    models = _models(args)
     options = ModelOptions.of(args, models)
     _check_options(args)
     _check_outputs(args, ())
+
+    def say(line: str) -> None:
+        progress(args.quiet, line)
+
+    change = None
     try:
-        arms = options.load(quiet=args.quiet, strict=False)
+        if args.against_git is None:
+            arms = options.load(quiet=args.quiet, strict=False)
+        else:
+            from .git_comparison import arms_and_change
+
+            arms, change = arms_and_change(args.against_git, options, say)
     except ModelError as error:
         if error.line is None and error.rule == ModelError.UNSPECIFIED:
             raise  # a file that is not there, a choice of chains: nothing that a file says
@@ -114,9 +141,6 @@ def run(args: argparse.Namespace) -> int:
     _check_outputs(args, options.files(arms))
 
     from .._comparison.difference import diff
-
-    def say(line: str) -> None:
-        progress(args.quiet, line)
 
     say(f"comparing them at {args.samples:,} states")
     d = diff(
@@ -128,62 +152,104 @@ def run(args: argparse.Namespace) -> int:
         uncertainty=args.uncertainty,
         as_written=args.as_written,
     )
-    text, diagnosis = _report(args, d, say)
+    contents, diagnosis = _contents(args, d, change, say)
     if args.repair is not None and diagnosis is not None:
         from .repaired_model import repair
 
         repair(d, diagnosis, args.repair, say)
-    emit(text, args.output)
-    return 0 if d.agrees and not any(d.faults.values()) else 1
+    write_reports(args, contents)
+    new = change is not None and bool(change.new)
+    return 0 if d.agrees and not any(d.faults.values()) and not new else 1
 
 
-def _report(
-    args: argparse.Namespace, d: Difference, say: Callable[[str], None]
-) -> tuple[str, Diagnosis | None]:
-    """The report as text, and the known mistakes, where they were looked for."""
+def _contents(
+    args: argparse.Namespace,
+    d: Difference,
+    change: RevisionChange | None,
+    say: Callable[[str], None],
+) -> tuple[Contents, Diagnosis | None]:
+    """What the reports show, and the known mistakes, where they were looked for."""
     from .._arguments import number
     from .._robot.states import MAX_ACCELERATION
 
-    form = format_of(args.format, args.output)
     explained = not args.quick and not d.gravity_only
     if d.gravity_only:
         say("tensors are unknown: only gravity torques are compared, and not explained")
     if explained:
         given = MAX_ACCELERATION if args.acceleration is None else args.acceleration
         args.acceleration = number("acceleration", given, positive=True)
-    if form.name == "text" and args.output is None and not (args.full or args.by_parameter):
+    if _first_screen_only(args):
         from .._comparison.causes import find_causes
         from .._reports.diff_text import diff_text
+        from .._reports.revision_section import change_in_words
 
         causes = None
         if explained and not (d.same_torques and args.repair is None):
             causes = find_causes(d, acceleration=args.acceleration, progress=say)
-        text = diff_text(d, causes, asked_tolerance=args.tolerance is not None)
-        return text, None if causes is None else causes.diagnosis
+        text = diff_text(
+            d,
+            causes,
+            asked_tolerance=args.tolerance is not None,
+            since_commit=() if change is None else change_in_words(change),
+        )
+        return Contents.of_text(text), None if causes is None else causes.diagnosis
 
     from .._comparison.attribution_detail import by_parameter
     from .._comparison.explanation import explain
     from .._reports.diff_document import diff_document
     from .._reports.diff_json import diff_json
+    from .._reports.revision_section import with_change
 
     explanation = explain(d, acceleration=args.acceleration, progress=say) if explained else None
     parameters = by_parameter(d.pair, d.states) if args.by_parameter else None
-    command = command_line("diff", args, (args.a, args.b))
-    if args.tolerance is not None:
-        command += f" --tolerance {shlex.quote(args.tolerance)}"
-    text = rendered(
-        form,
-        args.output,
-        document=lambda: diff_document(
+    command = _command(args, change)
+
+    def document(target: Target) -> Document:
+        made = diff_document(
             d,
             explanation,
             parameters=parameters,
-            written_out=args.by_parameter or form.all_tables,
+            written_out=args.by_parameter or target.form.all_tables,
             command=command,
+        )
+        return made if change is None else with_change(made, change)
+
+    contents = Contents(
+        document=document,
+        report=lambda: diff_json(
+            d, explanation, parameters=parameters, change=change, command=command
         ),
-        report=lambda: diff_json(d, explanation, parameters=parameters, command=command),
     )
-    return text, None if explanation is None else explanation.diagnosis
+    return contents, None if explanation is None else explanation.diagnosis
+
+
+def _first_screen_only(args: argparse.Namespace) -> bool:
+    """Whether the answer goes to the screen alone, and nobody asked for more."""
+    to_screen = all(t.file is None and t.form.name == "text" for t in report_targets(args))
+    return to_screen and not (args.full or args.by_parameter)
+
+
+def _command(args: argparse.Namespace, change: RevisionChange | None) -> str:
+    """The command of this report."""
+    models = (args.a,) if change is not None else (args.a, args.b)
+    command = command_line("diff", args, models)
+    if change is not None:
+        command += f" --against-git {shlex.quote(change.revision)}"
+    for option in ("tolerance", "uncertainty"):
+        value = getattr(args, option)
+        if value is not None:
+            command += f" --{option} {shlex.quote(value)}"
+    return command
+
+
+def _models(args: argparse.Namespace) -> tuple[str, str]:
+    """A and B, or one file twice.  Raises UsageError for a model too few or too many."""
+    if args.against_git is not None and args.b is not None:
+        raise UsageError("--against-git compares one file with itself; give no second model")
+    b = args.a if args.against_git is not None else args.b
+    if b is None:
+        raise UsageError("a model is required: B; see `ur5check diff --help`")
+    return args.a, b
 
 
 def _check_options(args: argparse.Namespace) -> None:
@@ -195,11 +261,11 @@ def _check_options(args: argparse.Namespace) -> None:
         return
     if Path(args.repair).suffix.lower() != ".urdf":
         raise UsageError(f"--repair {args.repair}: a URDF is written there; end its name in .urdf")
-    if args.output is not None and Path(args.output).resolve() == Path(args.repair).resolve():
+    if is_report(args, args.repair):
         raise UsageError(f"--repair {args.repair}: the report goes there (-o); name another file")
 
 
 def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
     inputs = tuple(inputs)
-    check_output(args.output, inputs)
+    check_reports(args, inputs)
     check_output(args.repair, inputs, option="--repair")

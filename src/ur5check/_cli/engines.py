@@ -14,15 +14,15 @@ import argparse
 import math
 
 from .._errors import UsageError
+from .._reports.report_formats import Contents
 from .options import (
     MODELS,
     ModelOptions,
     add_model_options,
-    add_output_options,
     command_line,
     progress,
 )
-from .output import check_output, emit, format_of, rendered
+from .report_output import add_report_options, check_reports, write_reports
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -87,7 +87,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="gravity in the base frame, for all engines [m/s²] (default: the model's)",
     )
     add_model_options(parser, ("",))
-    add_output_options(parser)
+    add_report_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -102,22 +102,20 @@ def _list(args: argparse.Namespace) -> int:
     from .._reports.engines_list_document import engines_list_document
     from .._reports.engines_list_json import engines_list_json
 
-    check_output(args.output, ())
-    text = rendered(
-        format_of(args.format, args.output),
-        args.output,
-        document=lambda: engines_list_document(command="ur5check engines --list"),
+    check_reports(args)
+    contents = Contents(
+        document=lambda target: engines_list_document(command="ur5check engines --list"),
         report=lambda: engines_list_json(command="ur5check engines --list"),
     )
-    emit(text, args.output)
+    write_reports(args, contents)
     return 0
 
 
 def _model(args: argparse.Namespace) -> int:
     options = ModelOptions.of(args, (args.model,))
-    check_output(args.output, ())
+    check_reports(args)
     arm = options.load_arm_or_tree(whole=args.whole, quiet=args.quiet)
-    check_output(args.output, options.files([arm]))
+    check_reports(args, options.files([arm]))
 
     from .._engines.audit.engine_comparison import SAME_ROBOT, SAMPLES, compare_engines
     from .._reports.engines_document import engines_document
@@ -139,19 +137,17 @@ def _model(args: argparse.Namespace) -> int:
         "as_read": args.as_read,
         "command": _command(args, (args.model,)),
     }
-    text = rendered(
-        format_of(args.format, args.output),
-        args.output,
-        document=lambda: engines_document(report, **shown),
+    contents = Contents(
+        document=lambda target: engines_document(report, **shown),
         report=lambda: engines_json(report, **shown),
     )
-    emit(text, args.output)
+    write_reports(args, contents)
     stage = report.as_read if args.as_read else report.final
     return 0 if stage.agrees(args.tolerance) else 1
 
 
 def _fleet(args: argparse.Namespace) -> int:
-    check_output(args.output, ())
+    check_reports(args)
 
     from .._engines.audit.engine_comparison import SAME_ROBOT
     from .._engines.audit.fleet_comparison import FLEET_SAMPLES, compare_fleet
@@ -172,13 +168,11 @@ def _fleet(args: argparse.Namespace) -> int:
         "as_read": args.as_read,
         "command": _command(args, ()),
     }
-    text = rendered(
-        format_of(args.format, args.output),
-        args.output,
-        document=lambda: engines_fleet_document(fleet, **shown),
+    contents = Contents(
+        document=lambda target: engines_fleet_document(fleet, **shown),
         report=lambda: engines_fleet_json(fleet, **shown),
     )
-    emit(text, args.output)
+    write_reports(args, contents)
     return 0 if fleet.agrees(args.tolerance, as_read=args.as_read) else 1
 
 

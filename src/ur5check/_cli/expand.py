@@ -46,7 +46,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="ENGINE",
         help="rewrite what this engine is known to misread: mujoco, drake, dart, gazebo, …",
     )
-    add_output_options(parser, formats=False)
+    add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, TypedDict
 from .._errors import UsageError
 from .._io.formats import FORMATS as MODEL_FORMATS
 from .._io.formats import format_by_suffix, suffixes_in_words
-from .._reports.report_formats import FORMATS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,14 +42,8 @@ _CHAIN = ("base", "tip", "arm")
 _FLAGS = ("quick", "as_written", "by_parameter")
 
 
-def add_output_options(parser: argparse.ArgumentParser, *, formats: bool = True) -> None:
-    """--format, -o, --quiet."""
-    if formats:
-        parser.add_argument(
-            "--format",
-            choices=[form.name for form in FORMATS],
-            help="format of the report (default: from the suffix of -o, else text)",
-        )
+def add_output_options(parser: argparse.ArgumentParser) -> None:
+    """-o, --quiet, for a command that makes one text; one with reports: `add_report_options`."""
     parser.add_argument(
         "-o", "--output", metavar="FILE", help="write to this file instead of stdout"
     )
@@ -147,15 +140,16 @@ class ModelOptions:
         return cls(models, chains, name_value_pairs(args.package, "--package", "="), arguments)
 
     def load(self, *, quiet: bool, strict: bool = True) -> list[SerialArm]:
-        """Every arm, in order.  strict : as for `load`"""
+        """Every arm, in order.  strict : refuse bodies that cannot exist, as `load` does"""
         from .._io.loading import load
 
         arms = []
         for model, chain in zip(self.models, self.chains, strict=True):
             progress(quiet, f"reading {model}")
             arguments = self.arguments if _is_xacro(model) else None
-            packages = self.packages
-            arms.append(load(model, **chain, packages=packages, arguments=arguments, strict=strict))
+            arms.append(
+                load(model, **chain, packages=self.packages, arguments=arguments, strict=strict)
+            )
         return arms
 
     def load_arm_or_tree(self, *, whole: bool, quiet: bool) -> ArmOrTree:

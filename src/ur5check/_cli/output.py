@@ -3,45 +3,14 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from .._errors import UsageError
 from .._files import write_whole
-from .._reports.report_formats import Contents, ReportFormat, Screen, format_of
 
-if TYPE_CHECKING:
-    from .._reports.document import Document
-    from .._reports.json_report import Report
-
-__all__ = [
-    "check_folder",
-    "check_output",
-    "emit",
-    "emit_files",
-    "format_of",
-    "rendered",
-]
-
-_PIPE_WIDTH = 100
-_LEAST_WIDTH = 40
-
-
-def rendered(
-    form: ReportFormat,
-    output: str | None,
-    *,
-    document: Callable[[], Document],
-    report: Callable[[], Report],
-) -> str:
-    """The result as text in the chosen format."""
-    shown = output is None and sys.stdout.isatty()
-    colour = shown and "NO_COLOR" not in os.environ and os.environ.get("TERM") != "dumb"
-    width = shutil.get_terminal_size().columns if shown else _PIPE_WIDTH
-    return form.render(Contents(document, report), Screen(max(width, _LEAST_WIDTH), colour))
+__all__ = ["check_folder", "check_output", "emit", "emit_files"]
 
 
 def check_output(output: str | None, inputs: Iterable[Path], *, option: str = "-o") -> None:

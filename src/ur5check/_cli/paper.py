@@ -13,8 +13,10 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .options import add_output_options, command_line, progress
-from .output import check_folder, check_output, emit, emit_files, format_of, rendered
+from .._reports.report_formats import Contents
+from .options import command_line, progress
+from .output import check_folder, emit_files
+from .report_output import add_report_options, check_reports, write_reports
 
 if TYPE_CHECKING:
     from .._paper.reproduction import Reproduction
@@ -35,7 +37,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help="also plot the nine cases into this folder, as SVG and PNG (needs ur5check[figures])",
     )
-    add_output_options(parser)
+    add_report_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -44,20 +46,17 @@ def run(args: argparse.Namespace) -> int:
     from .._reports.paper_document import paper_document
     from .._reports.paper_json import paper_json
 
-    check_output(args.output, _inputs())
+    check_reports(args, _inputs())
     if args.figures is not None:
         _check_figures(args.figures)
     r = reproduce(lambda line: progress(args.quiet, line))
     pictures = {} if args.figures is None else _pictures(r, quiet=args.quiet)
     command = command_line("paper", args, ())
-    form = format_of(args.format, args.output)
-    text = rendered(
-        form,
-        args.output,
-        document=lambda: paper_document(
+    contents = Contents(
+        document=lambda target: paper_document(
             r,
-            pictures=_places(args.figures, args.output),
-            written_out=form.all_tables,
+            pictures=_places(args.figures, target.file),
+            written_out=target.form.all_tables,
             command=command,
         ),
         report=lambda: paper_json(r, command=command),
@@ -65,7 +64,7 @@ def run(args: argparse.Namespace) -> int:
     if args.figures is not None:
         emit_files(pictures, args.figures, option="--figures")
         progress(args.quiet, f"drew {len(pictures)} pictures in {args.figures}")
-    emit(text, args.output)
+    write_reports(args, contents)
     return 0 if r.trustworthy else 1
 
 

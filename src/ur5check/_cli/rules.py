@@ -26,7 +26,7 @@ _WIDTH = 80
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `rules` takes."""
     parser.add_argument("rule", nargs="?", metavar="ID", help="a rule, or a family of rules")
-    add_output_options(parser, formats=False)
+    add_output_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:

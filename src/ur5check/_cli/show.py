@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import argparse
 
-from .options import MODELS, ModelOptions, add_model_options, add_output_options, command_line
-from .output import check_output, emit, format_of, rendered
+from .._reports.report_formats import Contents
+from .options import MODELS, ModelOptions, add_model_options, command_line
+from .report_output import add_report_options, check_reports, write_reports
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -24,26 +25,24 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """What `show` takes."""
     parser.add_argument("model", metavar="MODEL", help="model to show")
     add_model_options(parser, ("",))
-    add_output_options(parser)
+    add_report_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
     """Read and show."""
     options = ModelOptions.of(args, (args.model,))
-    check_output(args.output, ())
+    check_reports(args)
     arms = options.load(quiet=True)
-    check_output(args.output, options.files(arms))
+    check_reports(args, options.files(arms))
 
     from .._reports.show_document import show_document
     from .._reports.show_json import show_json
 
     (arm,) = arms
     command = command_line("show", args, (args.model,))
-    text = rendered(
-        format_of(args.format, args.output),
-        args.output,
-        document=lambda: show_document(arm, command=command),
+    contents = Contents(
+        document=lambda target: show_document(arm, command=command),
         report=lambda: show_json(arm, command=command),
     )
-    emit(text, args.output)
+    write_reports(args, contents)
     return 0

@@ -12,15 +12,16 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from .._errors import UsageError
+from .._reports.report_formats import Contents
 from .options import (
     MODELS,
     ModelOptions,
     add_model_options,
-    add_output_options,
     command_line,
     progress,
 )
-from .output import check_output, emit, emit_files, format_of, rendered
+from .output import check_output, emit_files
+from .report_output import add_report_options, check_reports, is_report, write_reports
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -93,7 +94,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="also plot the drift, as .svg or .png (needs ur5check[figures])",
     )
     add_model_options(parser, ("a", "b"))
-    add_output_options(parser)
+    add_report_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -124,10 +125,8 @@ def run(args: argparse.Namespace) -> int:
         progress=say,
     )
     command = _command(args)
-    text = rendered(
-        format_of(args.format, args.output),
-        args.output,
-        document=lambda: simulate_document(s, command=command),
+    contents = Contents(
+        document=lambda target: simulate_document(s, command=command),
         report=lambda: simulate_json(s, command=command),
     )
     if args.figure is not None:
@@ -139,7 +138,7 @@ def run(args: argparse.Namespace) -> int:
         picture = as_png(drawn) if target.suffix.lower() == ".png" else as_svg(drawn)
         emit_files({target.name: picture}, str(target.parent), option="--figure")
         say(f"drew {args.figure}")
-    emit(text, args.output)
+    write_reports(args, contents)
     return 0 if s.stands else 1
 
 
@@ -165,7 +164,7 @@ def _check_figure(args: argparse.Namespace) -> None:
         raise UsageError(
             f"--figure {args.figure}: is drawn as {' or '.join(_PICTURES)}; end its name in one"
         )
-    if args.output is not None and Path(args.output).resolve() == Path(args.figure).resolve():
+    if is_report(args, args.figure):
         raise UsageError(f"--figure {args.figure}: the report goes there (-o); name another file")
     from .._paper.figures.figure_style import matplotlib
 
@@ -174,7 +173,7 @@ def _check_figure(args: argparse.Namespace) -> None:
 
 def _check_outputs(args: argparse.Namespace, inputs: Iterable[Path]) -> None:
     inputs = tuple(inputs)
-    check_output(args.output, inputs)
+    check_reports(args, inputs)
     check_output(args.figure, inputs, option="--figure")
 
 

@@ -16,15 +16,16 @@ import shlex
 from pathlib import Path
 
 from .._errors import UsageError
+from .._reports.report_formats import Contents
 from .options import (
     MODELS,
     ModelOptions,
     add_model_options,
-    add_output_options,
     command_line,
     progress,
 )
-from .output import check_output, emit, format_of, rendered
+from .output import check_output
+from .report_output import add_report_options, check_reports, write_reports
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -101,7 +102,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="write the histograms, and the reach map to FILE.map.parquet",
     )
     add_model_options(parser, ("a", "b"))
-    add_output_options(parser)
+    add_report_options(parser)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -132,17 +133,15 @@ def run(args: argparse.Namespace) -> int:
         progress=lambda line: progress(args.quiet, line),
     )
     command = _command(args, models, found.count)
-    text = rendered(
-        format_of(args.format, args.output),
-        args.output,
-        document=lambda: sweep_document(found, command=command),
+    contents = Contents(
+        document=lambda target: sweep_document(found, command=command),
         report=lambda: sweep_json(found, command=command),
     )
     if args.parquet is not None:
         from .._reports.sweep_parquet import write_parquet
 
         write_parquet(found, Path(args.parquet))
-    emit(text, args.output)
+    write_reports(args, contents)
     return 0 if found.agrees else 1
 
 
@@ -186,7 +185,7 @@ def _check_options(args: argparse.Namespace) -> None:
 def _check_outputs(args: argparse.Namespace, inputs: list[Path]) -> None:
     """Raises UsageError, before any work, for outputs that cannot or must not be written."""
     taken = [*inputs, Path(args.sample)]
-    check_output(args.output, taken)
+    check_reports(args, taken)
     check_output(args.checkpoint, taken, option="--checkpoint")
     if args.parquet is not None:
         from .._reports.sweep_parquet import map_file
@@ -195,7 +194,7 @@ def _check_outputs(args: argparse.Namespace, inputs: list[Path]) -> None:
         import_parquet()
         check_output(args.parquet, taken, option="--parquet")
         check_output(str(map_file(Path(args.parquet))), taken, option="--parquet")
-    written = [args.output, args.checkpoint, args.parquet]
+    written = [*args.outputs, args.checkpoint, args.parquet]
     files = [Path(name).resolve() for name in written if name is not None]
     if len(set(files)) < len(files):
         raise UsageError(

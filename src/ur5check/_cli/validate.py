@@ -19,19 +19,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .._errors import UsageError
+from .._reports.report_formats import Contents
 from .options import (
     MODELS,
     add_model_options,
-    add_output_options,
     add_state_options,
     chain_options,
     command_line,
     name_value_pairs,
     progress,
 )
-from .output import check_output, emit, format_of, rendered
+from .output import check_output, emit
+from .report_output import add_report_options, check_reports, write_reports
 
 if TYPE_CHECKING:
+    from .._reports.document import Document
+    from .._reports.report_formats import Target
+    from .._validation.baseline import Baseline
     from .._validation.configuration import Configuration
     from .._validation.validation import Validation
     from .._validation.verdict import Request, VerdictSet
@@ -71,6 +75,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--config", metavar="FILE", help="accepted findings (default: nearest ur5check.toml)"
     )
     parser.add_argument(
+        "--baseline", metavar="FILE", help="findings that are known; only others count"
+    )
+    parser.add_argument(
+        "--update-baseline",
+        action="store_true",
+        help="write today's findings to the file of --baseline",
+    )
+    parser.add_argument(
         "--expect-mass", type=float, metavar="KG", help="mass of the whole robot, to 5 %%"
     )
     parser.add_argument(
@@ -94,7 +106,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add_state_options(parser, many=True)
     add_model_options(parser, ("", "a", "b"))
-    add_output_options(parser)
+    add_report_options(parser, findings=True)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -107,22 +119,25 @@ def run(args: argparse.Namespace) -> int:
     models = ["paper", "appendix"] if paper else files_under(args.models)
     if not models:
         raise UsageError(f"{', '.join(args.models)}: no .urdf or .urdf.xacro file is in there")
-    named = [*models, *([] if args.against is None else [args.against])]
-    packages = name_value_pairs(args.package, "--package", "=")
-    check_output(args.output, [file for m in named for file in input_files(m, (), packages)])
     if args.config is not None:
         configuration = read_configuration(Path(args.config))
     elif paper:
         configuration = _papers_configuration()
     else:
         configuration = find_configuration(_folder_of(models[0]))
+    if args.against is None and not paper:
+        args.against = configuration.against
+    named = [*models, *([] if args.against is None else [args.against])]
+    packages = name_value_pairs(args.package, "--package", "=")
+    check_reports(args, [file for m in named for file in input_files(m, (), packages)])
+    baseline = _baseline(args)
     if args.samples is None:
         args.samples = _SAMPLES if len(models) <= 2 else _SAMPLES_OF_MANY
     if args.engines is None:
         args.engines = ",".join(configuration.engines)
     if args.fail_level is None:
         args.fail_level = configuration.fail_level
-    requests = _requests(args, models)
+    requests = [request.with_settings(configuration) for request in _requests(args, models)]
     jobs = (os.cpu_count() or 1) if args.jobs is None else args.jobs
     if jobs < 1:
         raise UsageError(f"--jobs {jobs}: give one or more")
@@ -134,16 +149,49 @@ def run(args: argparse.Namespace) -> int:
     results = list(verdicts(requests, configuration, args.fail_level, jobs=jobs, progress=say))
     reference = None
     if args.against is not None:
-        asked = replace(requests[0], model=args.against, base=None, tip=None, arm=None, hold=())
+        asked = replace(_requests(args, models)[0], model=args.against, hold=())
+        asked = replace(asked, base=None, tip=None, arm=None).with_settings(configuration)
         (reference,) = verdicts([asked], configuration, args.fail_level, progress=say)
     verdict_set = compare_verdicts(results, reference, configuration, progress=say)
     read = [(j.model, j.robot) for j in verdict_set.read]
-    check_output(
-        args.output,
+    check_reports(
+        args,
         [file for m, x in read if x is not None for file in input_files(m, x.inputs, packages)],
     )
-    emit(_text(args, verdict_set, configuration, _command(args)), args.output)
+    if baseline is not None:
+        verdict_set = _against_baseline(args, verdict_set, baseline)
+    write_reports(args, _contents(args, verdict_set, configuration))
     return 0 if verdict_set.passed else 1
+
+
+def _baseline(args: argparse.Namespace) -> Baseline | None:
+    """What --baseline holds.  Raises UsageError for a file that is none, or cannot be written."""
+    from .._validation.baseline import Baseline, read_baseline
+
+    if args.baseline is None:
+        if args.update_baseline:
+            raise UsageError("--update-baseline needs the file: --baseline FILE")
+        return None
+    file = Path(args.baseline)
+    if not args.update_baseline:
+        return read_baseline(file)
+    check_output(args.baseline, (), option="--baseline")
+    return read_baseline(file) if file.exists() else Baseline(file.resolve().parent)
+
+
+def _against_baseline(
+    args: argparse.Namespace, verdicts: VerdictSet, baseline: Baseline
+) -> VerdictSet:
+    from .._validation.baseline import baseline_of, with_baseline
+
+    if args.update_baseline:
+        baseline = baseline_of(verdicts, baseline)
+        emit(baseline.text(), args.baseline, option="--baseline")
+        progress(args.quiet, f"{args.baseline} holds {len(baseline.entries)} findings")
+    elif gone := baseline.gone(verdicts):
+        count = f"{len(gone)} of its findings no longer occur"
+        progress(args.quiet, f"{args.baseline}: {count}; --update-baseline takes them out")
+    return with_baseline(verdicts, baseline)
 
 
 def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
@@ -188,6 +236,8 @@ def _command(args: argparse.Namespace) -> str:
         words += ["--against", shlex.quote(args.against)]
     if args.config is not None:
         words += ["--config", shlex.quote(args.config)]
+    if args.baseline is not None:
+        words += ["--baseline", shlex.quote(args.baseline)]
     if args.expect_mass is not None:
         words += ["--expect-mass", repr(args.expect_mass)]
     words += ["--payload", repr(args.payload)]
@@ -208,26 +258,36 @@ def _papers_configuration() -> Configuration:
     return read_configuration(models_directory() / "ur5check.toml", "models/ur5check.toml")
 
 
-def _text(
-    args: argparse.Namespace, verdicts: VerdictSet, configuration: Configuration, command: str
-) -> str:
+def _contents(
+    args: argparse.Namespace, verdicts: VerdictSet, configuration: Configuration
+) -> Contents:
+    """What the reports are rendered from: text is a screen, and with --full or in a file all."""
+    from .._reports.terminal import render_text
     from .._reports.validate_json import validate_json
     from .._reports.verdict_document import verdict_document
     from .._reports.verdict_text import verdicts_text
 
-    laws = _laws(args, verdicts)
-    form = format_of(args.format, args.output)
-    if form.name == "text" and not args.full and args.output is None:
-        return verdicts_text(verdicts)
-    tables = rendered(
-        form,
-        args.output,
-        document=lambda: verdict_document(verdicts, laws, configuration, command=command),
+    laws, command = _laws(args, verdicts), _command(args)
+
+    def document(target: Target) -> Document:
+        return verdict_document(verdicts, laws, configuration, command=command)
+
+    def text(target: Target) -> str:
+        if not args.full and target.file is None:
+            return verdicts_text(verdicts)
+        tables = render_text(document(target), width=target.width, colour=target.colour)
+        return f"{verdicts_text(verdicts, full=True)}\n{tables}"
+
+    return Contents(
+        document=document,
         report=lambda: validate_json(
             laws, verdicts=verdicts, configuration=configuration, command=command
         ),
+        text=text,
+        verdicts=verdicts,
+        configuration=configuration,
+        command=command,
     )
-    return f"{verdicts_text(verdicts, full=True)}\n{tables}" if form.name == "text" else tables
 
 
 def _laws(args: argparse.Namespace, verdicts: VerdictSet) -> Validation:

@@ -14,6 +14,7 @@ from .._comparison.difference import Difference
 from .._comparison.explanation import Explanation
 from .._comparison.other_numbers import OtherNumber
 from .._comparison.torque_band import TorqueBand
+from .._validation.revision_change import RevisionChange
 from .diff_sections.stated_uncertainty import uncertainty_in_words
 from .difference_summary import summarize as summarize_difference
 from .explanation_json import ExplanationValue, explanation_value
@@ -150,6 +151,16 @@ class Comparison(msgspec.Struct, frozen=True, kw_only=True):
     faults_b: list[FindingValue]
 
 
+class ChangeValue(msgspec.Struct, frozen=True, kw_only=True):
+    """What a commit changes beside the torques; masses of the whole robot [kg]."""
+
+    revision: str
+    mass_before: Number | None
+    mass_after: Number | None
+    new: list[FindingValue]
+    gone: list[FindingValue]
+
+
 class DiffReport(Report, frozen=True, kw_only=True, tag="ur5check.diff/2"):
     """Two models compared, and the difference explained."""
 
@@ -157,6 +168,7 @@ class DiffReport(Report, frozen=True, kw_only=True, tag="ur5check.diff/2"):
     summary: list[str]
     explanation: ExplanationValue | None
     by_parameter: list[ContributionValue] | None
+    since_commit: ChangeValue | None
 
 
 def diff_json(
@@ -164,12 +176,14 @@ def diff_json(
     explanation: Explanation | None = None,
     *,
     parameters: Attribution | None = None,
+    change: RevisionChange | None = None,
     command: str = "",
 ) -> DiffReport:
     """The report of `ur5check diff`.
 
     explanation : of d; None with --quick
     parameters : d attributed to each parameter, where that was wanted
+    change : since a commit, where a file was compared with itself
     """
     comparison = comparison_value(d)
     summary: Sequence[str] = (
@@ -181,6 +195,18 @@ def diff_json(
         summary=list(summary),
         explanation=None if explanation is None else explanation_value(explanation),
         by_parameter=None if parameters is None else _contributions(parameters),
+        since_commit=None if change is None else _change(change),
+    )
+
+
+def _change(change: RevisionChange) -> ChangeValue:
+    before, after = change.masses
+    return ChangeValue(
+        revision=change.revision,
+        mass_before=before,
+        mass_after=after,
+        new=[finding_value(finding) for finding in change.new],
+        gone=[finding_value(finding) for finding in change.gone],
     )
 
 

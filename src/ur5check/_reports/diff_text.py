@@ -33,15 +33,23 @@ _SHORT = 30  # of a place: a file's name with line and column
 _WORTH_A_LINE = 0.01  # of the RMS difference: mistakes that cost less are for --full
 
 
-def diff_text(d: Difference, causes: Causes | None, *, asked_tolerance: bool) -> str:
+def diff_text(
+    d: Difference,
+    causes: Causes | None,
+    *,
+    asked_tolerance: bool,
+    since_commit: tuple[str, ...] = (),
+) -> str:
     """The screen.
 
     causes : None where none were looked for;  asked_tolerance : whether the user gave it
+    since_commit : what else a commit changed, in sentences
     """
     verdict, geometry, *_ = summarize(d)
     word = "AGREE" if d.agrees else "DIFFER"
     head = textwrap.wrap(f"{word}  {verdict}", _WIDTH, subsequent_indent=" " * (len(word) + 2))
     foot = _foot(d, causes, geometry, asked_tolerance)
+    foot += [line for said in since_commit for line in _tagged("commit", said, 2)]
     joints = [] if d.same_torques else _joints(d)
     wrong = _wrong(d, causes)
     left = _LINES - len(head) - len(foot)

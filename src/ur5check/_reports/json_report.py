@@ -17,7 +17,7 @@ import numpy as np
 from .._robot.robot_tree import ArmOrTree
 from .provenance import Provenance, inputs_of
 
-__all__ = ["Input", "Report", "Tool", "head", "json_text"]
+__all__ = ["Input", "Report", "Tool", "head", "json_line", "json_text"]
 
 
 class Tool(msgspec.Struct, frozen=True):
@@ -80,8 +80,17 @@ def head(
 
 def json_text(report: Report) -> str:
     """The report as strict JSON: all digits, null for what is no finite number."""
-    value = _strict(msgspec.to_builtins(report, enc_hook=_builtin))
-    return json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return _dumped(report, indent=2)
+
+
+def json_line(value: msgspec.Struct) -> str:
+    """A part of a report as one line of strict JSON."""
+    return _dumped(value, indent=None)
+
+
+def _dumped(value: msgspec.Struct, indent: int | None) -> str:
+    plain = _strict(msgspec.to_builtins(value, enc_hook=_builtin))
+    return json.dumps(plain, indent=indent, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _builtin(value: Any) -> Any:

@@ -48,6 +48,7 @@ def _section(v: Verdict) -> Section:
     if j.arm_note or (j.laws is None and j.laws_note):
         lines.append(f"Not computed: {j.arm_note or j.laws_note}.")
     lines += [f"Accepted: {f.rule} {f.subject}: {a.reason}" for f, a in s.accepted]
+    lines += [f"In the baseline: {f.rule} {f.subject}: {f.message}" for f in s.known]
     lines += [f"Stale: {a.rule} {a.subject} is accepted but does not occur." for a in s.stale]
     columns = tuple(
         Column(title) for title in ("severity", "rule", "place", "subject", "finding", "fix")

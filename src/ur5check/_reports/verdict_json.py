@@ -6,8 +6,9 @@ import msgspec
 
 from .._validation.configuration import Sorted
 from .._validation.judgement import Judgement
-from .._validation.verdict import PairVerdict, Verdict
+from .._validation.verdict import PairVerdict, Verdict, VerdictSet
 from .finding_json import FindingValue, finding_value
+from .json_report import json_line
 from .json_values import Number
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "FileVerdict",
     "agreement_value",
     "file_verdict",
+    "json_lines",
 ]
 
 
@@ -53,7 +55,7 @@ class ArmValue(msgspec.Struct, frozen=True, kw_only=True):
 class FileVerdict(msgspec.Struct, frozen=True, kw_only=True):
     """The verdict on one file.
 
-    engines: whose import of it was audited
+    engines: whose import of it was audited;  known: findings that the baseline holds
     """
 
     model: str
@@ -67,6 +69,7 @@ class FileVerdict(msgspec.Struct, frozen=True, kw_only=True):
     engines: list[str]
     findings: list[FindingValue]
     accepted: list[AcceptedFinding]
+    known: list[FindingValue]
     stale: list[StaleAcceptance]
 
 
@@ -95,6 +98,7 @@ def file_verdict(v: Verdict) -> FileVerdict:
         engines=list(j.engines),
         findings=[finding_value(finding) for finding in s.open],
         accepted=_accepted(s),
+        known=[finding_value(finding) for finding in s.known],
         stale=_stale(s),
     )
 
@@ -113,6 +117,12 @@ def _arm(j: Judgement) -> ArmValue | None:
         return None
     source = j.arm.source
     return ArmValue(base=source.base, tip=source.tip, joints=list(j.arm.joint_names))
+
+
+def json_lines(verdicts: VerdictSet) -> str:
+    """The verdict on each file as one line of JSON, then the agreement of each pair."""
+    lines = [json_line(file_verdict(v)) for v in verdicts.models]
+    return "".join([*lines, *(json_line(agreement_value(pair)) for pair in verdicts.pairs)])
 
 
 def agreement_value(pair: PairVerdict) -> Agreement:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .._validation.configuration import Configuration
 from .._validation.verdict import VerdictSet
 
-__all__ = ["inputs_of_verdicts", "summarize_verdicts"]
+__all__ = ["failed_laws", "inputs_of_verdicts", "summarize_verdicts"]
 
 
 def summarize_verdicts(verdicts: VerdictSet) -> str:
@@ -15,6 +15,15 @@ def summarize_verdicts(verdicts: VerdictSet) -> str:
     for pair in verdicts.pairs:
         text += f" {pair.label}: {'agree or accepted' if pair.passed else 'DIFFER'}."
     return text
+
+
+def failed_laws(verdicts: VerdictSet) -> list[tuple[str, str]]:
+    """(file, sentence) of every file with a law that failed: a defect of the computation."""
+    return [
+        (v.judgement.file, f"the computation is WRONG: {', '.join(failed)}; please report this")
+        for v in verdicts.models
+        if (failed := v.judgement.failed_laws)
+    ]
 
 
 def inputs_of_verdicts(

@@ -69,6 +69,8 @@ def _pair_lines(pair: PairVerdict) -> list[str]:
         return _wrapped(
             f"ACCEPTED  {pair.label}: {f.message}; {acceptance.reason}", WIDTH, "          "
         )
+    for f in pair.findings.known:
+        return _wrapped(f"KNOWN  {pair.label}: {f.message} (in the baseline)", WIDTH, "       ")
     if pair.passed:
         return [f"AGREE {pair.label}: the same torques"]
     for f in pair.findings.open:
@@ -145,7 +147,7 @@ def _facts(j: Judgement, s: Sorted) -> list[str]:
         facts.append(f"arm        none: {j.arm_note}")
     if j.laws is not None:
         outcomes = [o for o in j.laws.outcomes if o.about == "algorithm"]
-        failed = [o.id for o in outcomes if not o.passed]
+        failed = j.failed_laws
         torque = next((o.value for o in outcomes if o.id == "torque-reference"), float(np.nan))
         agree = (
             f"hand-written recursion and {j.laws.reference} agree: {len(outcomes)} laws, "
@@ -161,6 +163,9 @@ def _facts(j: Judgement, s: Sorted) -> list[str]:
         facts.append(f"engines    {', '.join(j.engines)}: {found or 'no'} findings")
     for finding, acceptance in s.accepted:
         facts.append(f"accepted   {finding.rule} {finding.subject}: {acceptance.reason}")
+    if s.known:
+        count = f"{len(s.known)} finding{'s' if len(s.known) > 1 else ''}"
+        facts.append(f"baseline   {count} known, not counted")
     for stale in s.stale:
         facts.append(f"stale      {stale.rule} {stale.subject} is accepted but does not occur")
     return facts
@@ -201,7 +206,7 @@ def _table_of_pairs(verdicts: VerdictSet) -> list[str]:
     rows = [
         line
         for pair in verdicts.pairs
-        if pair.findings.open or pair.findings.accepted or not pair.passed
+        if pair.findings.all or not pair.passed
         for line in _pair_lines(pair)
     ]
     differ = sum(not pair.passed for pair in verdicts.pairs)

@@ -4,9 +4,17 @@
     ignore = ["GEO102"]                 # rules or families that are not asked
     select = ["INE", "JNT"]             # if given, only these are
     engines = ["mujoco", "drake"]       # whose imports are audited; ["all"]: all that are installed
+    against = "vendor.urdf"             # compare each model's torques with this one's
+    pytest = ["urdf/*.urdf.xacro"]      # files that `pytest` checks without being asked
 
     [per-file]
     "urdf/old_*.urdf" = ["JNT103"]      # more to ignore in files of these names
+
+    [[files]]                           # how files of these names are read
+    path = "urdf/arm.urdf.xacro"
+    arguments = {prefix = "left_"}      # of a xacro
+    arm = "left"                        # or base and tip
+    expect-mass = 18.4                  # [kg]
 
     [[accepted]]                        # a known finding, with the reason why it stays
     rule = "INE109"
@@ -33,7 +41,14 @@ from typing import Any, cast, get_args
 from .._errors import UsageError
 from .._finding import Finding, Severity
 
-__all__ = ["Acceptance", "Configuration", "Sorted", "find_configuration", "read_configuration"]
+__all__ = [
+    "Acceptance",
+    "Configuration",
+    "FileSettings",
+    "Sorted",
+    "find_configuration",
+    "read_configuration",
+]
 
 _NAMES = ("ur5check.toml", "pyproject.toml")
 
@@ -59,11 +74,30 @@ class Sorted:
     """Findings of one file as a configuration sorts them.
 
     open : that count;  accepted : with their acceptances;  stale : acceptances that cover nothing
+    known : that the baseline holds, and that count for nothing either
     """
 
     open: tuple[Finding, ...]
     accepted: tuple[tuple[Finding, Acceptance], ...]
     stale: tuple[Acceptance, ...]
+    known: tuple[Finding, ...] = ()
+
+    @property
+    def all(self) -> tuple[Finding, ...]:
+        """Those that count, the accepted and the known ones."""
+        return (*self.open, *(finding for finding, _ in self.accepted), *self.known)
+
+
+@dataclass(frozen=True)
+class FileSettings:
+    """How files are read.  path : a pattern;  the others as in `Request`"""
+
+    path: str
+    arguments: tuple[tuple[str, str], ...] = ()
+    base: str | None = None
+    tip: str | None = None
+    arm: str | None = None
+    expected_mass: float | None = None
 
 
 @dataclass(frozen=True)
@@ -81,6 +115,22 @@ class Configuration:
     engines: tuple[str, ...] = ()
     per_file: tuple[tuple[str, tuple[str, ...]], ...] = ()
     accepted: tuple[Acceptance, ...] = ()
+    files: tuple[FileSettings, ...] = ()
+    against: str | None = None
+
+    def settings_of(self, file: str) -> FileSettings:
+        """How a file is read: the last entry of `files` whose pattern fits."""
+        fitting = [entry for entry in self.files if _matches(file, entry.path)]
+        return fitting[-1] if fitting else FileSettings(file)
+
+    def asks(self, rule: str, file: str) -> bool:
+        """Whether a rule is asked of a file: selected, and not ignored."""
+        ignored = [*self.ignore]
+        for pattern, rules in self.per_file:
+            if _matches(file, pattern):
+                ignored += rules
+        chosen = not self.select or rule.startswith(self.select)
+        return chosen and not rule.startswith(tuple(ignored))
 
     def sort(
         self,
@@ -97,21 +147,10 @@ class Configuration:
         engines : whether engines were asked (family ENG)
         """
         day = today or datetime.date.today()
-        ignored = (
-            *self.ignore,
-            *(
-                rule
-                for pattern, rules in self.per_file
-                if _matches(file, pattern)
-                for rule in rules
-            ),
-        )
         kept, accepted = [], []
         used: set[Acceptance] = set()
         for finding in findings:
-            if self.select and not finding.rule.startswith(self.select):
-                continue
-            if ignored and finding.rule.startswith(ignored):
+            if not self.asks(finding.rule, file):
                 continue
             covering = [a for a in self.accepted if a.covers(finding, file, day)]
             used.update(covering)
@@ -158,7 +197,10 @@ def read_configuration(file: Path, label: str | None = None) -> Configuration:
         raise UsageError(f"{file}: {error}") from None
     if file.name == "pyproject.toml":
         table = table.get("tool", {}).get("ur5check", {})
-    known = {"fail-level", "select", "ignore", "engines", "per-file", "accepted"}
+    known = {
+        "fail-level", "select", "ignore", "engines", "per-file", "accepted", "files", "against",
+        "pytest",
+    }  # fmt: skip
     for key in table.keys() - known:
         raise UsageError(f"{file}: {key!r} is no setting; use {', '.join(sorted(known))}")
     level = table.get("fail-level", "error")
@@ -178,7 +220,52 @@ def read_configuration(file: Path, label: str | None = None) -> Configuration:
             (name, _words(file, f"per-file {name!r}", rules)) for name, rules in per_file.items()
         ),
         tuple(_acceptance(file, entry) for entry in table.get("accepted", [])),
+        tuple(_file_settings(file, entry) for entry in table.get("files", [])),
+        _against(file, table),
     )
+
+
+def _against(file: Path, table: Mapping[str, Any]) -> str | None:
+    """A path is seen from the configuration's folder."""
+    against = table.get("against")
+    if against is not None and not isinstance(against, str):
+        raise UsageError(f"{file}: against takes a model")
+    patterns = table.get("pytest", [])
+    if not isinstance(patterns, list) or not all(isinstance(text, str) for text in patterns):
+        raise UsageError(f"{file}: pytest takes a list of patterns of files")
+    if against is None or not (file.parent / against).is_file():
+        return against
+    return str(file.parent / against)
+
+
+def _file_settings(file: Path, entry: object) -> FileSettings:
+    texts = ("path", "base", "tip", "arm")
+    known = (*texts, "arguments", "expect-mass")
+    given = dict(entry) if isinstance(entry, Mapping) else {}
+    arguments, mass = given.get("arguments", {}), given.get("expect-mass")
+    right = (
+        "path" in given
+        and not given.keys() - set(known)
+        and all(isinstance(given.get(key, ""), str) for key in texts)
+        and isinstance(arguments, Mapping)
+        and all(isinstance(value, str | int | float) for value in arguments.values())
+        and (mass is None or (isinstance(mass, int | float) and mass > 0))
+    )
+    if not right:
+        raise UsageError(f"{file}: an entry of files takes {', '.join(known)}, not {entry!r:.80}")
+    return FileSettings(
+        given["path"],
+        tuple((name, _xacro_text(value)) for name, value in arguments.items()),
+        given.get("base"),
+        given.get("tip"),
+        given.get("arm"),
+        mass,
+    )
+
+
+def _xacro_text(value: str | int | float) -> str:
+    """A TOML value as xacro reads it: true and false, not Python's True and False."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def _words(file: Path, key: str, value: object) -> tuple[str, ...]:

@@ -92,10 +92,15 @@ class Judgement:
         )
 
     @property
+    def failed_laws(self) -> tuple[str, ...]:
+        """Ids of the laws that were seen to fail."""
+        outcomes = () if self.laws is None else self.laws.outcomes
+        return tuple(o.id for o in outcomes if o.about == "algorithm" and not o.passed)
+
+    @property
     def laws_hold(self) -> bool:
         """Whether no law was seen to fail."""
-        outcomes = () if self.laws is None else self.laws.outcomes
-        return all(outcome.passed for outcome in outcomes if outcome.about == "algorithm")
+        return not self.failed_laws
 
     def passed(self, level: Level = "error") -> bool:
         """Whether there is no finding at or above the level, and no law failed.

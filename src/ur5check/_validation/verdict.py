@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .._comparison.difference import Difference
@@ -52,6 +52,29 @@ class Request:
     expected_mass: float | None = None
     meshes: bool = True
     engines: tuple[str, ...] = ()
+
+    def with_settings(self, configuration: Configuration) -> Request:
+        """The request with what the configuration says of the file, where it says more.
+
+        What the request has itself counts first.
+        """
+        settings = configuration.settings_of(self.model)
+        chosen = (self.base, self.tip, self.arm) != (None, None, None)
+        base, tip, arm = (
+            (self.base, self.tip, self.arm)
+            if chosen
+            else (settings.base, settings.tip, settings.arm)
+        )
+        arguments = dict(settings.arguments) | dict(self.arguments)
+        mass = settings.expected_mass if self.expected_mass is None else self.expected_mass
+        return replace(
+            self,
+            base=base,
+            tip=tip,
+            arm=arm,
+            arguments=tuple(arguments.items()),
+            expected_mass=mass,
+        )
 
     def judge(self) -> Judgement:
         """Raises UsageError as `judge` does."""
@@ -134,11 +157,13 @@ def _verdict(j: Judgement, configuration: Configuration, fail_level: Severity) -
 class PairVerdict:
     """Whether two models agree.
 
+    file : of the second
     comparison : None where their arms cannot be compared
     findings : as the configuration sorts them
     """
 
     label: str
+    file: str
     comparison: PairValidation | None
     findings: Sorted
 
@@ -154,11 +179,13 @@ class VerdictSet:
     """What one call judged.
 
     pairs : of two models; of each model and the `reference`, where there is one
+    against_baseline : whether findings were compared with a baseline
     """
 
     models: tuple[Verdict, ...]
     pairs: tuple[PairVerdict, ...] = ()
     reference: Verdict | None = None
+    against_baseline: bool = False
 
     @property
     def passed(self) -> bool:
@@ -203,19 +230,19 @@ def _pair(a: Judgement, b: Judgement, configuration: Configuration) -> PairVerdi
         label = f"{a.file} and {b.file}"
         missing = a if a.arm is None else b
         found = finding_of("CMP002", label, f"{missing.file} has no arm: {missing.arm_note}")
-        return PairVerdict(label, None, configuration.sort([found], label, pair=True))
+        return PairVerdict(label, b.file, None, configuration.sort([found], label, pair=True))
     arm_a, arm_b = labelled([a.arm, b.arm])
     label = f"{arm_a.label} and {arm_b.label}"
     try:
         pair = validate_pair(arm_a, arm_b, PinocchioEngine(arm_b), b.samples, b.seed)
     except (InputError, EngineError) as error:
         found = finding_of("CMP002", label, str(error))
-        return PairVerdict(label, None, configuration.sort([found], label, pair=True))
+        return PairVerdict(label, b.file, None, configuration.sort([found], label, pair=True))
     if pair.difference.agrees:
-        return PairVerdict(label, pair, configuration.sort([], label, pair=True))
+        return PairVerdict(label, b.file, pair, configuration.sort([], label, pair=True))
     fix = f"ur5check diff {a.model} {b.model} says which numbers differ"
     found = _difference(pair.difference, label, b.samples, fix)
-    return PairVerdict(label, pair, configuration.sort([found], label, pair=True))
+    return PairVerdict(label, b.file, pair, configuration.sort([found], label, pair=True))
 
 
 def _difference(d: Difference, label: str, samples: int, fix: str) -> Finding:
