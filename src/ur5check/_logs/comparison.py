@@ -1,0 +1,199 @@
+"""`compare_recording`: how well a model explains what a robot measured, and what would help."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from .._arguments import number
+from .._errors import UsageError
+from .._finding import Finding, Place
+from .._result import Result
+from .._robot.as_arm import ArmSource, as_arm
+from .._robot.serial_arm import SerialArm
+from .._robot.transforms import Array
+from .._rules.finding_log import FindingLog
+from .causes import Cause, causes_of
+from .channel_checks import check_channels, velocity_is_late
+from .drive_gains import DriveGain, drive_gains
+from .friction import FrictionModel
+from .joint_residuals import Floor, JointResidual, floor_of, joint_residuals, model_torque
+from .model_column import is_a_model
+from .options import RecordingOptions
+from .reading import read_recording
+from .recording import Recording
+from .row_checks import kept_rows
+from .signals import Signals, choose_cutoff, filtered
+
+__all__ = ["AT_FLOOR", "EVIDENCE", "RecordingComparison", "compare_recording"]
+
+#: A joint's residual is at the floor below this ratio to it.  On five recordings of three arms the
+#: right model, with friction and rotor inertia, stood 3 to 15 % above; 25 % leaves room for the
+#: friction that no formula has.
+AT_FLOOR = 1.25
+
+#: Evidence that a cause must have to be named: in Bayes' criterion 10 is "very strong" (Kass &
+#: Raftery, J. American Statistical Association 90, 1995, p. 777).
+EVIDENCE = 10.0
+
+#: A cause must take away at least this part of what stands above the floor.
+_CLOSES = 0.5
+
+#: Gains that a recording shows and gains that were given may differ by this much.
+_SAME_GAIN = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class RecordingComparison(Result):
+    """A model against a recording.
+
+    arm : the model;  recording : its clean rows;  signals : filtered
+    friction : the terms of each drive
+    model : the model's torque at the signals, shape (N, n) [N m]
+    joints : residuals, joint by joint;  floor : what the best parameters leave
+    causes : single causes, the likeliest first
+    gains : drive gains from current and controller's torque; () where the file has not both
+    findings : what is wrong with the recording
+    rows : in the file, before any was left out
+    usable : whether the torques are measured ones that can judge a model
+    """
+
+    arm: SerialArm
+    recording: Recording
+    signals: Signals
+    friction: FrictionModel
+    model: Array
+    joints: tuple[JointResidual, ...]
+    floor: Floor
+    causes: tuple[Cause, ...]
+    gains: tuple[DriveGain, ...]
+    findings: tuple[Finding, ...]
+    rows: int
+    usable: bool
+
+    @property
+    def judged(self) -> tuple[JointResidual, ...]:
+        """Joints whose model torque stands out; no statement is made of the others."""
+        return tuple(joint for joint in self.joints if joint.stands_out)
+
+    @property
+    def at_floor(self) -> bool:
+        """Whether no judged joint stands above the floor by more than `AT_FLOOR`."""
+        return all(joint.above_floor <= AT_FLOOR for joint in self.judged)
+
+    @property
+    def named(self) -> tuple[Cause, ...]:
+        """Causes with enough evidence that take most of what stands above the floor away."""
+        if self.at_floor:
+            return ()
+        return tuple(
+            cause for cause in self.causes if cause.evidence > EVIDENCE and self._closes(cause)
+        )
+
+    @property
+    def passed(self) -> bool:
+        """Whether the recording can judge the model, and the model explains it."""
+        return self.usable and bool(self.judged) and self.at_floor
+
+    def _closes(self, cause: Cause) -> bool:
+        """By squared residuals over the floor, of all joints."""
+        own = np.array([joint.with_rotor for joint in self.joints])
+        floor = np.maximum(self.floor.sizes, 1e-300)
+        above = float((((own / floor) ** 2) - 1.0).clip(min=0.0).sum())
+        left = float((((cause.sizes / floor) ** 2) - 1.0).clip(min=0.0).sum())
+        return above > 0.0 and left <= (1.0 - _CLOSES) * above
+
+
+def compare_recording(
+    model: ArmSource,
+    files: str | Path | Sequence[str | Path],
+    *,
+    options: RecordingOptions | None = None,
+    cutoff: float | None = None,
+    friction: FrictionModel | None = None,
+) -> RecordingComparison:
+    """Compare a model with a recording of the robot.
+
+    Parameters
+    ----------
+    model : name, path, pin.Model or SerialArm
+        See `load`.
+    files : path, or sequence of paths
+        A ROS bag with joint states, or tables (CSV, Parquet); see `RecordingOptions`.
+    options : RecordingOptions, optional
+        What the files do not say: columns, units, gains.
+    cutoff : float, optional
+        Of the low-pass [Hz]; chosen from the motion's spectrum when None.
+    friction : FrictionModel, optional
+        Terms of each drive; viscous and Coulomb friction, an offset and rotor inertia when None.
+
+    Returns
+    -------
+    comparison : RecordingComparison
+
+    Raises
+    ------
+    UsageError
+        For files that cannot be read or hold no torque, and options that do not fit.
+    """
+    arm = as_arm(model)
+    friction = friction or FrictionModel()
+    raw, findings = read_recording(files, arm.joint_names, options or RecordingOptions())
+    log = FindingLog()
+    clean = kept_rows(raw, log)
+    check_channels(clean, log)
+    late = velocity_is_late(clean, log)
+    if clean.tau is None:
+        raise UsageError(_no_torque(clean, friction, late))
+    chosen = choose_cutoff(clean) if cutoff is None else number("cutoff", cutoff, positive=True)
+    signals = filtered(clean, chosen, velocity_from_position=late)
+    torque = model_torque(arm, signals)
+    floor = floor_of(arm, signals, friction)
+    joints = joint_residuals(arm, signals, torque, friction, floor)
+    usable = not is_a_model(joints)
+    if not usable:
+        log.add(
+            "LOG131",
+            "torques",
+            "follow a rigid model and show no friction: they are computed, not measured",
+            Place(clean.file),
+            value=max(joint.floor / joint.measured for joint in joints if joint.stands_out),
+            bound=0.01,
+        )
+    gains = _gains(clean, chosen, late, friction)
+    return RecordingComparison(
+        arm, clean, signals, friction, torque, joints, floor,
+        causes_of(arm, signals, friction, floor), gains, (*findings, *log.findings), raw.count,
+        usable,
+    )  # fmt: skip
+
+
+def _gains(
+    recording: Recording, cutoff: float, late: bool, friction: FrictionModel
+) -> tuple[DriveGain, ...]:
+    if recording.current is None or recording.model_tau is None:
+        return ()
+    torque = filtered(recording, cutoff, velocity_from_position=late)
+    current = filtered(
+        replace(recording, tau=recording.current), cutoff, velocity_from_position=late
+    )
+    return drive_gains(recording, torque, current.tau, friction)
+
+
+def _no_torque(recording: Recording, friction: FrictionModel, late: bool) -> str:
+    """Why there is no torque to compare with, and the gains that the file itself shows."""
+    if recording.current is None:
+        return f"{recording.file}: no column of measured torques; say which: --columns"
+    as_torque = replace(recording, tau=recording.current)
+    gains = _gains(as_torque, choose_cutoff(recording), late, friction)
+    hint = ""
+    if gains:
+        known = ",".join(f"{gain.value:.4g}" for gain in gains)
+        hint = f"; against the controller's torque they are {known}"
+    return (
+        f"{recording.file}: has currents and no measured torque: give the drives' gains [N m/A] "
+        f"as --gains{hint}"
+    )

@@ -1,0 +1,163 @@
+"""From samples to signals: one clock, a zero-phase low-pass, velocities and accelerations.
+
+All channels pass the same filter, so that none lags behind another.  Butterworth's filter of order
+4, run forward and backward, has no phase; differences are central.  Ends and both sides of a gap
+are left out: there the filter has only half of what it needs.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._errors import UsageError
+from .._robot.transforms import Array
+from .recording import Recording
+from .row_checks import GAP
+
+__all__ = ["Signals", "choose_cutoff", "filtered"]
+
+#: Signals are kept at this many times the cut-off: enough for a signal whose power falls by 48 dB
+#: an octave above it (order 4, twice).
+_KEPT_RATE = 8.0
+
+#: The part of the velocity's power that belongs to the motion.  What lies above is noise.
+_POWER = 0.9999
+
+#: A chosen cut-off is this many times that frequency: friction changes faster than the motion (five
+#: to ten times the motion's bandwidth: Swevers et al., IEEE Control Systems 27(5), 2007).
+_ABOVE_MOTION = 5.0
+
+#: … and lies in this range [Hz]: above it the flexibility of drives and links shows in any arm.
+_CUTOFFS = (2.0, 10.0)
+
+_ORDER = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Signals:
+    """Filtered signals of n joints at N times.
+
+    t : shape (N,) [s];  q, qd, qdd, tau : shape (N, n)
+    segment : number of the uninterrupted part that each sample belongs to, shape (N,)
+    model_tau : of the controller's model; None where there is none
+    cutoff : of the low-pass [Hz];  rate : of the kept samples [Hz]
+    velocity_from_position : whether qd comes from q, because there is no velocity or it is late
+    """
+
+    t: Array
+    q: Array
+    qd: Array
+    qdd: Array
+    tau: Array
+    segment: NDArray[np.int64]
+    model_tau: Array | None
+    cutoff: float
+    rate: float
+    velocity_from_position: bool
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return int(self.q.shape[1])
+
+    @property
+    def count(self) -> int:
+        """Number of samples."""
+        return len(self.t)
+
+    @property
+    def independent(self) -> float:
+        """Independent samples: two a period of the cut-off (Nyquist), over the whole time."""
+        return max(1.0, self.count * min(1.0, 2.0 * self.cutoff / self.rate))
+
+
+def choose_cutoff(recording: Recording) -> float:
+    """A cut-off [Hz] well above the motion: `_ABOVE_MOTION` times the frequency below which
+    `_POWER` of every joint's velocity lies.
+    """
+    from scipy.signal import welch
+
+    pieces = uniform_segments(recording)
+    longest = max(pieces, key=lambda piece: len(piece[0]))
+    _, columns = longest
+    q = columns["q"]
+    rate = recording.rate
+    frequencies, power = welch(
+        np.gradient(q, 1.0 / rate, axis=0), rate, nperseg=min(len(q), 2048), axis=0, detrend=False
+    )
+    moving = power.sum(axis=0) > 1e-6 * power.sum(axis=0).max()
+    share = np.cumsum(power[:, moving], axis=0) / power[:, moving].sum(axis=0)
+    reached = frequencies[(share < _POWER).sum(axis=0).clip(max=len(frequencies) - 1)]
+    largest = min(_CUTOFFS[1], 0.4 * rate)
+    return float(np.clip(_ABOVE_MOTION * reached.max(), min(_CUTOFFS[0], largest), largest))
+
+
+def filtered(recording: Recording, cutoff: float, *, velocity_from_position: bool) -> Signals:
+    """Filter a recording with clean rows.
+
+    cutoff : [Hz], below half the rate
+
+    Raises UsageError for a cut-off that the rate does not allow, and a recording too short for it.
+    """
+    from scipy.signal import butter, sosfiltfilt
+
+    rate = recording.rate
+    if not 0.0 < cutoff < 0.5 * rate:
+        raise UsageError(f"cutoff must lie between 0 and {0.5 * rate:.4g} Hz, half the sample rate")
+    assert recording.tau is not None  # noqa: S101 - of a recording that is compared
+    sos = butter(_ORDER, cutoff, fs=rate, output="sos")
+    margin = round(rate / cutoff)
+    keep = max(1, int(rate / (_KEPT_RATE * cutoff)))
+    kept: list[dict[str, Array]] = []
+    for number, (t, columns) in enumerate(uniform_segments(recording)):
+        if len(t) <= 4 * margin:
+            continue
+        smooth = {name: sosfiltfilt(sos, values, axis=0) for name, values in columns.items()}
+        if velocity_from_position or "qd" not in smooth:
+            smooth["qd"] = np.gradient(smooth["q"], 1.0 / rate, axis=0)
+        smooth["qdd"] = np.gradient(smooth["qd"], 1.0 / rate, axis=0)
+        inner = slice(margin, len(t) - margin, keep)
+        part = {name: values[inner] for name, values in smooth.items()}
+        part["t"], part["segment"] = t[inner], np.full(len(t[inner]), number)
+        kept.append(part)
+    if not kept:
+        raise UsageError(
+            f"{recording.file}: {recording.duration:.3g} s are too short for a cut-off of "
+            f"{cutoff:.3g} Hz; record longer, or give a higher --cutoff"
+        )
+    joined = {name: np.concatenate([part[name] for part in kept]) for name in kept[0]}
+    return Signals(
+        joined["t"], joined["q"], joined["qd"], joined["qdd"], joined["tau"], joined["segment"],
+        joined.get("model_tau"), cutoff, rate / keep,
+        velocity_from_position or recording.qd is None,
+    )  # fmt: skip
+
+
+def uniform_segments(recording: Recording) -> list[tuple[Array, dict[str, Array]]]:
+    """Uninterrupted parts, each resampled on a uniform clock of the recording's rate."""
+    t, rate = recording.t, recording.rate
+    breaks = np.flatnonzero(np.diff(t) > GAP / rate) + 1
+    names = [
+        name for name in ("q", "qd", "tau", "model_tau") if getattr(recording, name) is not None
+    ]
+    segments = []
+    for part in np.split(np.arange(len(t)), breaks):
+        if len(part) < 4:
+            continue
+        clock = np.arange(t[part[0]], t[part[-1]], 1.0 / rate)
+        columns = {name: getattr(recording, name)[part] for name in names}
+        if not np.allclose(clock, t[part][: len(clock)], rtol=0.0, atol=1e-3 / rate):
+            columns = {name: _resampled(t[part], values, clock) for name, values in columns.items()}
+        else:
+            columns = {name: values[: len(clock)] for name, values in columns.items()}
+        segments.append((clock, columns))
+    return segments
+
+
+def _resampled(t: Array, values: Array, clock: Array) -> Array:
+    from scipy.interpolate import PchipInterpolator
+
+    return np.asarray(PchipInterpolator(t, values, axis=0)(clock))
