@@ -128,9 +128,9 @@ def _causes(c: RecordingComparison) -> Section:
             Table(
                 (Column("cause"), Column("evidence", number=True), Column("named")),
                 tuple(rows),
-                note="Evidence: by how much the cause lowers the weighted sum of squares, less "
-                f"what chance would; named above {EVIDENCE:g} where the model is not at the floor and "
-                "the cause removes most of what stands above it.",
+                note="Evidence: the fall of the weighted sum of squares, less what chance would "
+                f"take. A cause is named above {EVIDENCE:g}, where the model is not at the floor "
+                "and the cause removes most of what stands above it.",
             ),
         ),
     )
