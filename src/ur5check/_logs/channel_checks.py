@@ -17,7 +17,7 @@ __all__ = ["check_channels", "velocity_is_late"]
 _SATURATED = 0.01
 
 #: A velocity later than this many samples is not used; nor is one later than _LATE [s].
-_LATE_SAMPLES, _LATE = 1.0, 0.004
+_LATE_SAMPLES, _LATE = 1.5, 0.004
 
 #: Between recorded velocity and derivative of position: the slope lies this near to 1.
 _SLOPE = 0.1
@@ -105,23 +105,28 @@ def velocity_is_late(recording: Recording, log: FindingLog) -> bool:
 
 
 def _delay(derivative: Array, recorded: Array, rate: float) -> float:
-    """By how much `recorded` lags [s]: peak of the summed correlation, refined by a parabola."""
+    """By how much `recorded` lags [s]: peak of the summed correlation, refined by a parabola.
+
+    Each lag's correlation is over the samples that overlap: a sum over all would be larger the more
+    samples overlap, and draw the peak towards zero.
+    """
     n = len(derivative)
     size = 1 << (2 * n - 1).bit_length()
-    a = derivative - derivative.mean(axis=0)
-    b = recorded - recorded.mean(axis=0)
-    scale = np.maximum(a.std(axis=0) * b.std(axis=0), 1e-300)
-    spectrum = (np.fft.rfft(b, size, axis=0) * np.conj(np.fft.rfft(a, size, axis=0)) / scale).sum(
-        axis=1
-    )
-    correlation = np.abs(np.fft.irfft(spectrum, size))
     longest = min(n // 2, int(rate))  # a second, at most
     lags = np.arange(-longest, longest + 1)
-    values = correlation[lags]
-    k = int(values.argmax())
+    total = np.zeros(len(lags))
+    for a, b in zip(derivative.T, recorded.T, strict=True):
+        a, b = a - a.mean(), b - b.mean()
+        product = np.fft.irfft(np.fft.rfft(b, size) * np.conj(np.fft.rfft(a, size)), size)[lags]
+        first = np.concatenate([[0.0], np.cumsum(a * a)])
+        second = np.concatenate([[0.0], np.cumsum(b * b)])
+        power_a = first[n - lags.clip(min=0)] - first[(-lags).clip(min=0)]
+        power_b = second[n - (-lags).clip(min=0)] - second[lags.clip(min=0)]
+        total += np.abs(product) / np.sqrt(np.maximum(power_a * power_b, 1e-300))
+    k = int(total.argmax())
     shift = 0.0
-    if 0 < k < len(values) - 1:
-        left, centre, right = values[k - 1 : k + 2]
+    if 0 < k < len(total) - 1:
+        left, centre, right = total[k - 1 : k + 2]
         bend = left - 2.0 * centre + right
         shift = 0.5 * (left - right) / bend if bend != 0.0 else 0.0
     return float((lags[k] + shift) / rate)

@@ -52,7 +52,7 @@ def columns_of(names: Sequence[str]) -> dict[Quantity, dict[str, int]]:
 
 
 def _meaning(name: str) -> tuple[Quantity, str] | None:
-    text = name.strip().strip("%\"'").lower().removeprefix("field.").replace("header.", "header_")
+    text = name.strip().strip("%\"'_").lower().removeprefix("field.").replace("header.", "header_")
     if _WORDS.get(text) == "t":
         return "t", ""
     numbered = _NUMBERED.match(text)

@@ -6,9 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
-from .._arguments import number
+from .._arguments import instance, number
 from .._errors import UsageError
 from .._finding import Finding, Place
 from .._result import Result
@@ -16,7 +14,8 @@ from .._robot.as_arm import ArmSource, as_arm
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .._rules.finding_log import FindingLog
-from .causes import Cause, causes_of
+from .cause import Cause
+from .causes import causes_of, named_causes
 from .channel_checks import check_channels, velocity_is_late
 from .drive_gains import DriveGain, drive_gains
 from .friction import FrictionModel
@@ -27,20 +26,14 @@ from .reading import read_recording
 from .recording import Recording
 from .row_checks import kept_rows
 from .signals import Signals, choose_cutoff, filtered
+from .weighted_problem import WeightedProblem
 
-__all__ = ["AT_FLOOR", "EVIDENCE", "RecordingComparison", "compare_recording"]
+__all__ = ["AT_FLOOR", "RecordingComparison", "compare_recording"]
 
 #: A joint's residual is at the floor below this ratio to it.  On five recordings of three arms the
-#: right model, with friction and rotor inertia, stood 3 to 15 % above; 25 % leaves room for the
+#: right model, with friction and rotor inertia, stood 3 to 15 % above; 25 % allows for the
 #: friction that no formula has.
 AT_FLOOR = 1.25
-
-#: Evidence that a cause must have to be named: in Bayes' criterion 10 is "very strong" (Kass &
-#: Raftery, J. American Statistical Association 90, 1995, p. 777).
-EVIDENCE = 10.0
-
-#: A cause must take away at least this part of what stands above the floor.
-_CLOSES = 0.5
 
 #: Gains that a recording shows and gains that were given may differ by this much.
 _SAME_GAIN = 0.02
@@ -86,25 +79,20 @@ class RecordingComparison(Result):
 
     @property
     def named(self) -> tuple[Cause, ...]:
-        """Causes with enough evidence that take most of what stands above the floor away."""
-        if self.at_floor:
-            return ()
-        return tuple(
-            cause for cause in self.causes if cause.evidence > EVIDENCE and self._closes(cause)
-        )
+        """Causes of what stands above the floor: the likeliest, and those that it does not rule
+        out; () at the floor, or where no cause has evidence enough.
+        """
+        return () if self.at_floor else named_causes(self.causes)
+
+    @property
+    def remarks(self) -> tuple[Cause, ...]:
+        """At the floor: causes that are clear all the same, smaller than the floor's margin."""
+        return named_causes(self.causes) if self.at_floor else ()
 
     @property
     def passed(self) -> bool:
         """Whether the recording can judge the model, and the model explains it."""
         return self.usable and bool(self.judged) and self.at_floor
-
-    def _closes(self, cause: Cause) -> bool:
-        """By squared residuals over the floor, of all joints."""
-        own = np.array([joint.with_rotor for joint in self.joints])
-        floor = np.maximum(self.floor.sizes, 1e-300)
-        above = float((((own / floor) ** 2) - 1.0).clip(min=0.0).sum())
-        left = float((((cause.sizes / floor) ** 2) - 1.0).clip(min=0.0).sum())
-        return above > 0.0 and left <= (1.0 - _CLOSES) * above
 
 
 def compare_recording(
@@ -140,8 +128,11 @@ def compare_recording(
         For files that cannot be read or hold no torque, and options that do not fit.
     """
     arm = as_arm(model)
-    friction = friction or FrictionModel()
-    raw, findings = read_recording(files, arm.joint_names, options or RecordingOptions())
+    friction = FrictionModel() if friction is None else friction
+    options = RecordingOptions() if options is None else options
+    instance("friction", friction, FrictionModel, "see ur5check.FrictionModel")
+    instance("options", options, RecordingOptions, "see ur5check.RecordingOptions")
+    raw, findings = read_recording(files, arm.joint_names, options)
     log = FindingLog()
     clean = kept_rows(raw, log)
     check_channels(clean, log)
@@ -149,9 +140,9 @@ def compare_recording(
     if clean.tau is None:
         raise UsageError(_no_torque(clean, friction, late))
     chosen = choose_cutoff(clean) if cutoff is None else number("cutoff", cutoff, positive=True)
-    signals = filtered(clean, chosen, velocity_from_position=late)
+    signals = filtered(clean, chosen, friction, velocity_from_position=late)
     torque = model_torque(arm, signals)
-    floor = floor_of(arm, signals, friction)
+    floor = floor_of(arm, signals)
     joints = joint_residuals(arm, signals, torque, friction, floor)
     usable = not is_a_model(joints)
     if not usable:
@@ -163,11 +154,13 @@ def compare_recording(
             value=max(joint.floor / joint.measured for joint in joints if joint.stands_out),
             bound=0.01,
         )
+    problem = WeightedProblem.of(arm, signals, floor)
+    causes = causes_of(problem, [k for k, joint in enumerate(joints) if joint.stands_out])
     gains = _gains(clean, chosen, late, friction)
+    _check_gains(gains, options.gains, clean.file, log)
     return RecordingComparison(
         arm, clean, signals, friction, torque, joints, floor,
-        causes_of(arm, signals, friction, floor), gains, (*findings, *log.findings), raw.count,
-        usable,
+        causes, gains, (*findings, *log.findings), raw.count, usable,
     )  # fmt: skip
 
 
@@ -176,11 +169,31 @@ def _gains(
 ) -> tuple[DriveGain, ...]:
     if recording.current is None or recording.model_tau is None:
         return ()
-    torque = filtered(recording, cutoff, velocity_from_position=late)
+    torque = filtered(recording, cutoff, friction, velocity_from_position=late)
     current = filtered(
-        replace(recording, tau=recording.current), cutoff, velocity_from_position=late
+        replace(recording, tau=recording.current), cutoff, friction, velocity_from_position=late
     )
-    return drive_gains(recording, torque, current.tau, friction)
+    return drive_gains(recording, torque, current.tau)
+
+
+def _check_gains(
+    gains: tuple[DriveGain, ...], given: tuple[float, ...], file: str, log: FindingLog
+) -> None:
+    """Gains that were given, against those that the file itself shows."""
+    for k, gain in enumerate(gains):
+        own = given[k % len(given)] if given else float("nan")
+        # nan, where there is no statement, compares as false.
+        if abs(own / gain.value - 1.0) > max(_SAME_GAIN, gain.half_width / abs(gain.value)):
+            log.add(
+                "LOG132",
+                f"joint {gain.joint!r}",
+                f"its gain {own:.4g} N m/A is {own / gain.value:.3g} times what current and the "
+                f"controller's torque show: {gain.value:.4g} ± {gain.half_width:.2g}",
+                Place(file),
+                value=own,
+                bound=gain.value,
+                unit="N m/A",
+            )
 
 
 def _no_torque(recording: Recording, friction: FrictionModel, late: bool) -> str:

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._robot.transforms import Array
-from .friction import FrictionModel
 from .least_squares import blocks_of, fit
 from .recording import Recording
 from .signals import Signals
@@ -28,9 +27,7 @@ class DriveGain:
     half_width: float
 
 
-def drive_gains(
-    recording: Recording, signals: Signals, current: Array, friction: FrictionModel
-) -> tuple[DriveGain, ...]:
+def drive_gains(recording: Recording, signals: Signals, current: Array) -> tuple[DriveGain, ...]:
     """Each joint's gain.
 
     signals : whose `model_tau` is the controller's torque
@@ -41,7 +38,7 @@ def drive_gains(
     gains = []
     for j, joint in enumerate(recording.joints):
         torque = signals.model_tau[:, j]
-        X = np.column_stack([torque, friction.columns(signals.qd[:, j], signals.qdd[:, j])])
+        X = np.column_stack([torque, signals.drive[:, j]])
         found = fit(X, current[:, j], blocks)
         slope, spread = float(found.value[0]), float(found.half_width[0])
         if abs(slope) * torque.std() > found.residual.std() and abs(slope) > spread:

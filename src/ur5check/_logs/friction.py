@@ -42,7 +42,7 @@ class FrictionModel:
         return ("viscous", *coulomb, *(("stribeck",) if self.stribeck else ()), "offset", "rotor")
 
     def columns(self, qd: Array, qdd: Array) -> Array:
-        """What each coefficient is multiplied with, for one joint, shape (N, len(names))."""
+        """What each coefficient is multiplied with: of shape (…) each, shape (…, len(names))."""
         direction = np.tanh(qd / _V0)
         columns = [qd]
         if self.asymmetric:
@@ -52,4 +52,4 @@ class FrictionModel:
             columns.append(direction)
         if self.stribeck:
             columns.append(np.exp(-((qd / _STRIBECK) ** 2)) * direction)
-        return np.stack([*columns, np.ones_like(qd), qdd], axis=1)
+        return np.stack([*columns, np.ones_like(qd), qdd], axis=-1)

@@ -1,7 +1,8 @@
 """Joint by joint: how well a model explains the measured torque, before and after its drive.
 
-Three stages, each with less left: the model alone; with friction; with friction and the rotor's
-inertia.  The floor is what the best inertial parameters of this geometry would leave: all base
+Three stages, each with less left: the model alone; with friction as a function of the filtered
+velocity, the usual fit; with rotor inertia, and friction that passed the torque's low-pass (see
+`signals`).  The floor is what the best inertial parameters of this geometry would leave: all base
 parameters free (Gautier & Khalil, IEEE T-RA 6(3), 1990), and friction and rotor inertia too.
 """
 
@@ -33,6 +34,7 @@ class JointResidual:
     alone : of measured − model
     with_friction, with_rotor : of what remains after friction, and after rotor inertia too
     floor : of what the best inertial parameters leave
+    friction : the usual fit of friction, in the order of `FrictionModel.names` without the rotor
     drive : the fit of friction and rotor inertia, in the order of `FrictionModel.names`.  A
         negative rotor inertia is none: the model's own inertia about this axis is too large
     scale, scale_half_width : of the model's torque, that fits best; nan where the model's torque
@@ -46,6 +48,7 @@ class JointResidual:
     with_friction: float
     with_rotor: float
     floor: float
+    friction: Fit
     drive: Fit
     scale: float
     scale_half_width: float
@@ -86,22 +89,18 @@ def model_torque(arm: SerialArm, signals: Signals) -> Array:
     return np.asarray(rnea(bare, signals.q, signals.qd, signals.qdd))
 
 
-def drive_columns(signals: Signals, friction: FrictionModel) -> list[Array]:
-    """For each joint the columns of its drive, shape (N, k)."""
-    return [friction.columns(signals.qd[:, j], signals.qdd[:, j]) for j in range(signals.n)]
-
-
-def floor_of(arm: SerialArm, signals: Signals, friction: FrictionModel) -> Floor:
+def floor_of(arm: SerialArm, signals: Signals) -> Floor:
     """All inertial parameters and all drives fitted at once, joints weighted by their residuals."""
     part = thinned(signals)
     q, qd, qdd, tau = (x[part] for x in (signals.q, signals.qd, signals.qdd, signals.tau))
+    drive = signals.drive[part]
     count, n = q.shape
     Y = torque_regressor(arm, q, qd, qdd)
-    k = len(friction.names)
+    k = drive.shape[2]
     X = np.zeros((count, n, 10 * n + k * n))
     X[:, :, : 10 * n] = Y
     for j in range(n):
-        X[:, j, 10 * n + k * j : 10 * n + k * (j + 1)] = friction.columns(qd[:, j], qdd[:, j])
+        X[:, j, 10 * n + k * j : 10 * n + k * (j + 1)] = drive[:, j]
     blocks = np.repeat(blocks_of(signals.t[part], signals.segment[part], signals.cutoff), n)
     sizes = np.maximum(tau.std(axis=0), 1e-9)
     for _ in range(2):  # the weights need a first fit
@@ -120,9 +119,10 @@ def joint_residuals(
     blocks = blocks_of(signals.t[part], signals.segment[part], signals.cutoff)
     names = arm.joint_names
     rows = []
-    for j, columns in enumerate(drive_columns(signals, friction)):
-        D, y, m = columns[part], signals.tau[part, j], model[part, j]
-        with_friction = fit(D[:, :-1], y - m, blocks)
+    for j in range(arm.n):
+        D, y, m = signals.drive[part, j], signals.tau[part, j], model[part, j]
+        usual = friction.columns(signals.qd[part, j], signals.qdd[part, j])[:, :-1]
+        with_friction = fit(usual, y - m, blocks)
         drive = fit(D, y - m, blocks)
         size = float(drive.residual.std())
         scale = scale_half_width = float("nan")
@@ -138,6 +138,7 @@ def joint_residuals(
                 float(with_friction.residual.std()),
                 size,
                 min(float(floor.sizes[j]), size),
+                with_friction,
                 drive,
                 scale,
                 scale_half_width,

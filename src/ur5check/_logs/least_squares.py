@@ -41,6 +41,7 @@ class Fit:
     covariance : shape (k, k)
     residual : as y
     rank : number of excited directions
+    quantile : Student's, that half widths are standard deviations times
     """
 
     value: Array
@@ -48,6 +49,7 @@ class Fit:
     covariance: Array
     residual: Array
     rank: int
+    quantile: float
 
 
 def blocks_of(t: Array, segment: NDArray[np.int64], cutoff: float) -> NDArray[np.int64]:
@@ -80,4 +82,4 @@ def fit(X: Array, y: Array, blocks: NDArray[np.int64]) -> Fit:
     half = (Vt.T / s) / scale[:, None]
     covariance = half @ inner @ half.T
     quantile = float(student.ppf(0.975, max(1, count - 1)))
-    return Fit(value, quantile * np.sqrt(np.diag(covariance)), covariance, residual, rank)
+    return Fit(value, quantile * np.sqrt(np.diag(covariance)), covariance, residual, rank, quantile)

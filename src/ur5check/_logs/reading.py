@@ -65,7 +65,14 @@ def read_recording(
     UsageError
         For files that cannot be read, or whose columns are not known.
     """
-    paths = [Path(f) for f in ([files] if isinstance(files, str | Path) else files)]
+    named = [files] if isinstance(files, str | Path) else files
+    if (
+        not isinstance(named, Sequence)
+        or not named
+        or not all(isinstance(f, str | Path) for f in named)
+    ):
+        raise UsageError("files: give the path of a recording, or a list of paths")
+    paths = [Path(f) for f in named]
     for path in paths:
         if not path.exists():
             raise UsageError(f"{path}: there is no such file")

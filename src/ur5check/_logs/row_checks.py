@@ -22,8 +22,10 @@ __all__ = ["GAP", "kept_rows"]
 #: A step of the clock longer than this many median steps is a gap.
 GAP = 5.0
 
-#: No joint of a robot turns faster [rad/s or m/s].  The fastest delta robots reach half of it.
-_FASTEST = 60.0
+#: A jump is a speed beyond this many times that of the 99th percentile of the recording; never
+#: below the first [rad/s or m/s], which industrial wrists reach, and always above the second, twice
+#: that of the fastest delta robots.
+_JUMP, _FAST, _FASTEST = 10.0, 10.0, 60.0
 
 #: Fewer rows than this between two jumps are garbage.
 _SHORTEST = 20
@@ -98,7 +100,8 @@ def _garbage(recording: Recording) -> NDArray[np.bool_]:
     step = np.diff(t)
     # Clock jitter must not turn a slow motion into a jump: at least the median step counts.
     speed = np.abs(np.diff(q, axis=0)).max(axis=1) / np.maximum(step, np.median(step))
-    jumps = np.flatnonzero(speed > _FASTEST) + 1
+    fastest = float(np.clip(_JUMP * np.quantile(speed, 0.99), _FAST, _FASTEST))
+    jumps = np.flatnonzero(speed > fastest) + 1
     bad = np.zeros(recording.count, dtype=bool)
     edges = [0, *jumps.tolist(), recording.count]
     for begin, end in pairwise(edges):

@@ -3,17 +3,22 @@
 All channels pass the same filter, so that none lags behind another.  Butterworth's filter of order
 4, run forward and backward, has no phase; differences are central.  Ends and both sides of a gap
 are left out: there the filter has only half of what it needs.
+
+Friction jumps where a joint reverses, and a torque's low-pass rounds the jump.  So the columns of
+friction are computed from a velocity of more bandwidth and pass the filter too ("parallel
+filtering": Gautier, IEEE ICRA 1997, pp. 3337–3342).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .._errors import UsageError
 from .._robot.transforms import Array
+from .friction import FrictionModel
 from .recording import Recording
 from .row_checks import GAP
 
@@ -35,12 +40,17 @@ _CUTOFFS = (2.0, 10.0)
 
 _ORDER = 4
 
+#: Bandwidth of the velocity that friction's columns are computed from, over the cut-off.
+_FRICTION_BAND = 5.0
+
 
 @dataclass(frozen=True, eq=False)
 class Signals:
     """Filtered signals of n joints at N times.
 
     t : shape (N,) [s];  q, qd, qdd, tau : shape (N, n)
+    drive : what each coefficient of friction and rotor inertia is multiplied with, filtered as
+        tau is, shape (N, n, k), in the order of `FrictionModel.names`
     segment : number of the uninterrupted part that each sample belongs to, shape (N,)
     model_tau : of the controller's model; None where there is none
     cutoff : of the low-pass [Hz];  rate : of the kept samples [Hz]
@@ -52,6 +62,7 @@ class Signals:
     qd: Array
     qdd: Array
     tau: Array
+    drive: Array
     segment: NDArray[np.int64]
     model_tau: Array | None
     cutoff: float
@@ -68,10 +79,13 @@ class Signals:
         """Number of samples."""
         return len(self.t)
 
-    @property
-    def independent(self) -> float:
-        """Independent samples: two a period of the cut-off (Nyquist), over the whole time."""
-        return max(1.0, self.count * min(1.0, 2.0 * self.cutoff / self.rate))
+    def selected(self, part: slice | NDArray[np.bool_]) -> Signals:
+        """Some of the samples."""
+        names = ("t", "q", "qd", "qdd", "tau", "drive", "segment")
+        model_tau = None if self.model_tau is None else self.model_tau[part]
+        return replace(
+            self, model_tau=model_tau, **{name: getattr(self, name)[part] for name in names}
+        )
 
 
 def choose_cutoff(recording: Recording) -> float:
@@ -95,10 +109,16 @@ def choose_cutoff(recording: Recording) -> float:
     return float(np.clip(_ABOVE_MOTION * reached.max(), min(_CUTOFFS[0], largest), largest))
 
 
-def filtered(recording: Recording, cutoff: float, *, velocity_from_position: bool) -> Signals:
+def filtered(
+    recording: Recording,
+    cutoff: float,
+    friction: FrictionModel,
+    *,
+    velocity_from_position: bool,
+) -> Signals:
     """Filter a recording with clean rows.
 
-    cutoff : [Hz], below half the rate
+    cutoff : [Hz], below half the rate;  friction : whose columns `Signals.drive` holds
 
     Raises UsageError for a cut-off that the rate does not allow, and a recording too short for it.
     """
@@ -109,6 +129,7 @@ def filtered(recording: Recording, cutoff: float, *, velocity_from_position: boo
         raise UsageError(f"cutoff must lie between 0 and {0.5 * rate:.4g} Hz, half the sample rate")
     assert recording.tau is not None  # noqa: S101 - of a recording that is compared
     sos = butter(_ORDER, cutoff, fs=rate, output="sos")
+    wide = butter(_ORDER, min(_FRICTION_BAND * cutoff, 0.4 * rate), fs=rate, output="sos")
     margin = round(rate / cutoff)
     keep = max(1, int(rate / (_KEPT_RATE * cutoff)))
     kept: list[dict[str, Array]] = []
@@ -119,6 +140,13 @@ def filtered(recording: Recording, cutoff: float, *, velocity_from_position: boo
         if velocity_from_position or "qd" not in smooth:
             smooth["qd"] = np.gradient(smooth["q"], 1.0 / rate, axis=0)
         smooth["qdd"] = np.gradient(smooth["qd"], 1.0 / rate, axis=0)
+        fast = (
+            columns["qd"]
+            if "qd" in columns and not velocity_from_position
+            else np.gradient(columns["q"], 1.0 / rate, axis=0)
+        )
+        rough = friction.columns(sosfiltfilt(wide, fast, axis=0), smooth["qdd"])
+        smooth["drive"] = sosfiltfilt(sos, rough, axis=0)
         inner = slice(margin, len(t) - margin, keep)
         part = {name: values[inner] for name, values in smooth.items()}
         part["t"], part["segment"] = t[inner], np.full(len(t[inner]), number)
@@ -130,8 +158,8 @@ def filtered(recording: Recording, cutoff: float, *, velocity_from_position: boo
         )
     joined = {name: np.concatenate([part[name] for part in kept]) for name in kept[0]}
     return Signals(
-        joined["t"], joined["q"], joined["qd"], joined["qdd"], joined["tau"], joined["segment"],
-        joined.get("model_tau"), cutoff, rate / keep,
+        joined["t"], joined["q"], joined["qd"], joined["qdd"], joined["tau"], joined["drive"],
+        joined["segment"], joined.get("model_tau"), cutoff, rate / keep,
         velocity_from_position or recording.qd is None,
     )  # fmt: skip
 
@@ -149,10 +177,14 @@ def uniform_segments(recording: Recording) -> list[tuple[Array, dict[str, Array]
             continue
         clock = np.arange(t[part[0]], t[part[-1]], 1.0 / rate)
         columns = {name: getattr(recording, name)[part] for name in names}
-        if not np.allclose(clock, t[part][: len(clock)], rtol=0.0, atol=1e-3 / rate):
-            columns = {name: _resampled(t[part], values, clock) for name, values in columns.items()}
-        else:
+        uniform = abs(len(clock) - len(part)) <= 1 and np.allclose(
+            clock[: len(part)], t[part][: len(clock)], rtol=0.0, atol=1e-3 / rate
+        )
+        if uniform:
+            clock = clock[: len(part)]
             columns = {name: values[: len(clock)] for name, values in columns.items()}
+        else:
+            columns = {name: _resampled(t[part], values, clock) for name, values in columns.items()}
         segments.append((clock, columns))
     return segments
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from .._finding import Finding
-from .._logs.comparison import EVIDENCE, RecordingComparison
+from .._logs.causes import EVIDENCE
+from .._logs.comparison import RecordingComparison
 from .document import Column, Document, Row, Section, Table, Verdict
 from .log_summary import (
     cause_in_words,
@@ -130,7 +131,8 @@ def _causes(c: RecordingComparison) -> Section:
                 tuple(rows),
                 note="Evidence: the fall of the weighted sum of squares, less what chance would "
                 f"take. A cause is named above {EVIDENCE:g}, where the model is not at the floor "
-                "and the cause removes most of what stands above it.",
+                "and the cause removes most of what free parameters remove; others within "
+                f"{EVIDENCE:g} of the best are possible too.",
             ),
         ),
     )

@@ -6,8 +6,9 @@ from typing import Literal
 
 import msgspec
 
-from .._logs.causes import CauseId
+from .._logs.cause import CauseId
 from .._logs.comparison import RecordingComparison
+from .._logs.least_squares import Fit
 from .json_report import Report, head
 from .json_values import Model, Number, Vector, model_value, vector
 from .log_summary import cause_in_words, summarize_log, verdict_of_log, word_of_log
@@ -49,7 +50,9 @@ class Interval(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class JointValue(msgspec.Struct, frozen=True, kw_only=True):
-    """One joint: standard deviations [N m] of each stage, its drive, the best scale."""
+    """One joint: standard deviations [N m] of each stage, the usual fit of friction, the fit of the
+    drive with rotor inertia, the best scale.
+    """
 
     joint: str
     measured: float
@@ -59,6 +62,7 @@ class JointValue(msgspec.Struct, frozen=True, kw_only=True):
     with_rotor: float
     floor: float
     stands_out: bool
+    friction: list[Interval]
     drive: list[Interval]
     scale: Number
     scale_half_width: Number
@@ -73,7 +77,10 @@ class CauseValue(msgspec.Struct, frozen=True, kw_only=True):
     sentence: str
     values: list[Interval]
     evidence: float
+    closes: float
     residuals: Vector
+    mistake: str | None
+    how: str | None
 
 
 class LogReport(Report, frozen=True, kw_only=True, tag="ur5check.log/1"):
@@ -125,12 +132,8 @@ def log_json(c: RecordingComparison, *, command: str = "") -> LogReport:
                 with_rotor=joint.with_rotor,
                 floor=joint.floor,
                 stands_out=joint.stands_out,
-                drive=[
-                    Interval(name=name, value=float(value), half_width=float(width))
-                    for name, value, width in zip(
-                        names, joint.drive.value, joint.drive.half_width, strict=True
-                    )
-                ],
+                friction=_intervals(names[:-1], joint.friction),
+                drive=_intervals(names, joint.drive),
                 scale=joint.scale,
                 scale_half_width=joint.scale_half_width,
             )
@@ -149,7 +152,10 @@ def log_json(c: RecordingComparison, *, command: str = "") -> LogReport:
                     )
                 ],
                 evidence=cause.evidence,
+                closes=cause.closes,
                 residuals=vector(cause.sizes),
+                mistake=cause.mistake or None,
+                how=cause.how or None,
             )
             for cause in c.causes
         ],
@@ -158,3 +164,10 @@ def log_json(c: RecordingComparison, *, command: str = "") -> LogReport:
             for g in c.gains
         ],
     )
+
+
+def _intervals(names: tuple[str, ...], fitted: Fit) -> list[Interval]:
+    return [
+        Interval(name=name, value=float(value), half_width=float(width))
+        for name, value, width in zip(names, fitted.value, fitted.half_width, strict=True)
+    ]

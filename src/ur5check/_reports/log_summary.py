@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from .._logs.causes import Cause
+from .._comparison.diagnosis.mistakes import LINK_MISTAKES
+from .._logs.cause import Cause
 from .._logs.comparison import AT_FLOOR, RecordingComparison
 from .wording import coordinates, joined
 
@@ -49,16 +50,18 @@ def summarize_log(c: RecordingComparison) -> tuple[str, ...]:
     if not c.usable:
         return ()
     lines = []
-    if not c.at_floor:
-        if c.named:
-            first, *others = c.named
-            lines.append(f"One cause explains it best: {cause_in_words(first, c)}.")
-            lines += [f"Also possible: {cause_in_words(other, c)}." for other in others[:2]]
-        else:
-            lines.append(
-                "No single cause explains it: neither a gain, a payload, tilted gravity, nor a "
-                "joint's zero or sign."
-            )
+    if c.named:
+        first, *others = c.named
+        best = "One cause explains it" if not others else "One cause explains it best"
+        lines.append(f"{best}: {cause_in_words(first, c)}.")
+        lines += [f"Also possible: {cause_in_words(other, c)}." for other in others[:2]]
+    elif not c.at_floor:
+        lines.append(
+            "No single cause explains it: no gain, payload, tilted gravity, joint's zero or sign, "
+            "and neither one link's numbers nor a known mistake in them."
+        )
+    elif c.remarks:
+        lines.append(f"Within the floor's margin, yet clear: {cause_in_words(c.remarks[0], c)}.")
     silent = [joint.name for joint in c.joints if not joint.stands_out]
     if silent:
         lines.append(
@@ -108,6 +111,26 @@ def cause_in_words(cause: Cause, c: RecordingComparison) -> str:
             )
         case "joint-sign":
             return f"{joint} turns the other way in the recording"
+        case "mistake":
+            says = next(m.says for m in LINK_MISTAKES if m.id == cause.mistake)
+            return f"a mistake in {_link(cause, c)}: {says} ({cause.how})"
+        case "link-mass":
+            own = c.arm.links[cause.joint - 1].inertia.mass
+            return (
+                f"parameters of {_link(cause, c)}: with centre and tensor as they are, the mass is "
+                f"{value[0]:.4g} ± {width[0]:.2g} kg instead of {own:.4g}"
+            )
+        case "link-centre":
+            return (
+                f"parameters of {_link(cause, c)}: with mass and tensor as they are, the centre of "
+                f"mass is {coordinates(value)} m, at most ± {max(width):.2g}"
+            )
+        case "link-tensor":
+            return f"parameters of {_link(cause, c)}: its tensor, with mass and centre as they are"
+
+
+def _link(cause: Cause, c: RecordingComparison) -> str:
+    return f"link {cause.joint} ({c.arm.links[cause.joint - 1].name})"
 
 
 def floor_in_words() -> str:

@@ -38,9 +38,9 @@ def log_text(c: RecordingComparison) -> str:
     ]
     left = _LINES - len(head) - len(foot)
     table = _table(c, max(3, left - len(said)))
-    room = left - len(table)
-    if len(said) > room:
-        said = [*said[: max(0, room - 1)], "… (--full)"]
+    free = left - len(table)
+    if len(said) > free:
+        said = [*said[: max(0, free - 1)], "… (--full)"]
     return "\n".join([*head, *table, *said, *foot]) + "\n"
 
 
