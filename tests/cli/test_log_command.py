@@ -111,3 +111,38 @@ def test_options_of_a_file_and_of_the_command(
     said = ur5check("log", run, "--model", files["right"], "--quiet", "--degrees")
     assert said.code == 1
     assert "0.40" in said.out
+
+
+def test_the_corrected_model_is_written(
+    ur5check: Command, files: dict[str, Path], tmp_path: Path
+) -> None:
+    file = tmp_path / "corrected.urdf"
+    said = ur5check("log", files["run"], "--model", files["wrong"], "--repair", file)
+    assert said.code == 1
+    assert "±" in said.err
+    assert ur5check("log", files["run"], "--model", file, "--quiet").code == 0
+
+
+@pytest.mark.parametrize("run", ["run", "computed"])
+def test_nothing_is_written_where_nothing_is_to_be_repaired(
+    ur5check: Command, files: dict[str, Path], tmp_path: Path, run: str
+) -> None:
+    file = tmp_path / "corrected.urdf"
+    ur5check("log", files[run], "--model", files["right"], "--repair", file)
+    assert not file.exists()
+    said = ur5check("log", files["run"], "--model", files["wrong"], "--repair", tmp_path / "x.txt")
+    assert said.code == 2
+
+
+def test_other_recordings_and_models_in_one_report(
+    ur5check: Command, files: dict[str, Path]
+) -> None:
+    run = files["run"]
+    command = ("log", run, "--model", files["right"], "--model", files["wrong"], "--quiet")
+    said = ur5check(*command, "--unloaded", run, "--validate", run, "--format", "json")
+    report = read_report(said.out)
+    assert report["rivals"][0]["clear"]
+    assert abs(report["load"][0]["value"]) < 0.01
+    assert report["validation"]["file"] == str(run)
+    said = ur5check(*command, "--unloaded", run, "--validate", run)
+    assert len(said.out.splitlines()) <= 24

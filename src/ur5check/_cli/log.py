@@ -36,6 +36,8 @@ EXAMPLES = f"""\
 examples:
   ur5check log run.db3 --model ur10.urdf
   ur5check log run.csv --model my_arm.urdf --columns t,q,qd,tau
+  ur5check log loaded.csv --unloaded empty.csv --model my_arm.urdf
+  ur5check log run.csv --model my_arm.urdf --repair corrected.urdf
   ur5check log position.csv velocity.csv effort.csv --model my_arm.urdf
 """
 
@@ -48,7 +50,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="RECORDING",
         help="a ROS bag (.db3, .mcap, .bag) or tables (.csv, .parquet) of the same rows",
     )
-    parser.add_argument("--model", required=True, metavar="MODEL", help="the model to compare")
+    parser.add_argument(
+        "--model",
+        required=True,
+        action="append",
+        metavar="MODEL",
+        help="the model to compare; repeated: others, compared with the first",
+    )
     what = parser.add_argument_group("what the recording does not say")
     what.add_argument(
         "--columns",
@@ -83,6 +91,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     how.add_argument(
         "--asymmetric", action="store_true", help="friction differs between the directions"
     )
+    more = parser.add_argument_group("other recordings of the robot")
+    more.add_argument(
+        "--unloaded", metavar="FILE", help="the same robot without its load: says what it carried"
+    )
+    more.add_argument("--validate", metavar="FILE", help="a recording to try the fit on")
+    parser.add_argument(
+        "--repair", metavar="FILE", help="write the model corrected by this recording, as URDF"
+    )
     parser.add_argument("--full", action="store_true", help="print all tables")
     add_model_options(parser, ("",))
     add_output_options(parser)
@@ -90,12 +106,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Read, compare, report; the exit code says whether the model explains the recording."""
-    models = ModelOptions.of(args, (args.model,))
+    models = ModelOptions.of(args, tuple(args.model))
     reading = _reading(args)
-    files = [Path(name) for name in args.recording]
-    check_output(args.output, files)
-    (arm,) = models.load(quiet=args.quiet)
-    check_output(args.output, [*models.files([arm]), *files])
+    names = [*args.recording, *(name for name in (args.unloaded, args.validate) if name)]
+    files = [Path(name) for name in names]
+    _check_outputs(args, files)
+    arm, *others = models.load(quiet=args.quiet)
+    _check_outputs(args, [*models.files([arm, *others]), *files])
 
     from .._logs.comparison import compare_recording
     from .._logs.friction import FrictionModel
@@ -110,7 +127,14 @@ def run(args: argparse.Namespace) -> int:
         options=reading,
         cutoff=args.cutoff,
         friction=FrictionModel(args.stribeck, args.asymmetric),
+        unloaded=args.unloaded,
+        validate=args.validate,
+        others=others,
     )
+    if args.repair is not None:
+        from .corrected_model import write_corrected
+
+        write_corrected(found, args.repair, lambda line: progress(False, line))
     command = _command(args)
     form = format_of(args.format, args.output)
     if form.name == "text" and not args.full and args.output is None:
@@ -124,6 +148,14 @@ def run(args: argparse.Namespace) -> int:
         )
         emit(text, args.output)
     return 0 if found.passed else 1
+
+
+def _check_outputs(args: argparse.Namespace, inputs: list[Path]) -> None:
+    check_output(args.output, inputs)
+    if args.repair is not None:
+        if Path(args.repair).suffix.lower() != ".urdf":
+            raise UsageError(f"--repair {args.repair}: a URDF is written; end its name in .urdf")
+        check_output(args.repair, inputs, option="--repair")
 
 
 def _reading(args: argparse.Namespace) -> RecordingOptions:
@@ -154,9 +186,11 @@ def _numbers(text: str) -> tuple[float, ...]:
 
 
 def _command(args: argparse.Namespace) -> str:
-    words = ["ur5check log", *map(shlex.quote, args.recording), "--model", shlex.quote(args.model)]
+    words = ["ur5check log", *map(shlex.quote, args.recording)]
+    words += [word for model in args.model for word in ("--model", shlex.quote(model))]
     words.append(command_line("", args, ()).removeprefix("ur5check ''").strip())
-    for option in ("columns", "topic", "rate", "gains", "recording_config", "cutoff"):
+    for option in ("columns", "topic", "rate", "gains", "recording_config", "cutoff", "unloaded",
+                   "validate"):  # fmt: skip
         value = getattr(args, option)
         if value:
             words += [f"--{option.replace('_', '-')}", shlex.quote(str(value))]

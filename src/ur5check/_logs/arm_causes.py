@@ -31,8 +31,9 @@ def arm_causes(problem: WeightedProblem, judged: Iterable[int]) -> Iterator[Caus
     yield _gravity(problem)
     for j in judged:
         yield _gain_of_joint(problem, j)
+    coarse = problem.coarse()
     for j in range(problem.n):
-        yield _zero(problem, j)
+        yield _zero(problem, coarse, j)
         yield _sign(problem, j)
 
 
@@ -86,28 +87,29 @@ def _gravity(problem: WeightedProblem) -> Cause:
     )  # fmt: skip
 
 
-def _zero(problem: WeightedProblem, j: int) -> Cause:
+def _zero(problem: WeightedProblem, coarse: WeightedProblem, j: int) -> Cause:
     """The joint counts from another zero: small by iteration, quarter turns by trial."""
-    best: tuple[float, Fit, float] | None = None
     kind = problem.arm.joints[j].kind
-    for start in (0.0,) if kind == "prismatic" else (0.0, np.pi / 2, np.pi, -np.pi / 2):
-        shift = start
-        for _ in range(_ROUNDS):
-            torque, slope = _shifted(problem, j, shift)
-            found = problem.fitted(problem.signals.tau - torque, [slope])
-            step = float(found.value[0])
-            if not np.isfinite(step) or abs(step) > 0.5:
-                break
-            shift += step
-        rest = float((found.residual**2).sum())
-        if best is None or rest < best[0]:
-            best = rest, found, shift
-    assert best is not None  # noqa: S101 - there is a start
-    _, found, shift = best
+    starts = (0.0,) if kind == "prismatic" else (0.0, np.pi / 2, np.pi, -np.pi / 2)
+    found = [_nearest_zero(coarse, j, start, _ROUNDS) for start in starts]
+    shift, _ = min(found, key=lambda zero: float((zero[1].residual ** 2).sum()))
+    shift, fitted = _nearest_zero(problem, j, shift, 2)
     return problem.cause(
-        "joint-zero", j + 1, (("zero", "m" if kind == "prismatic" else "rad"),), found.residual,
-        np.array([shift]), found.half_width, alternatives=4 * problem.n,
+        "joint-zero", j + 1, (("zero", "m" if kind == "prismatic" else "rad"),), fitted.residual,
+        np.array([shift]), fitted.half_width, alternatives=4 * problem.n,
     )  # fmt: skip
+
+
+def _nearest_zero(problem: WeightedProblem, j: int, shift: float, rounds: int) -> tuple[float, Fit]:
+    """By Newton's steps from a start, as long as they are short."""
+    for _ in range(rounds):
+        torque, slope = _shifted(problem, j, shift)
+        found = problem.fitted(problem.signals.tau - torque, [slope])
+        step = float(found.value[0])
+        if not np.isfinite(step) or abs(step) > 0.5:
+            break
+        shift += step
+    return shift, found
 
 
 def _shifted(problem: WeightedProblem, j: int, shift: float) -> tuple[Array, Array]:

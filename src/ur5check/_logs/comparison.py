@@ -20,15 +20,23 @@ from .channel_checks import check_channels, velocity_is_late
 from .drive_gains import DriveGain, drive_gains
 from .friction import FrictionModel
 from .joint_residuals import Floor, JointResidual, floor_of, joint_residuals, model_torque
+from .load_difference import load_difference
 from .model_column import is_a_model
+from .normal_equations import NormalEquations
 from .options import RecordingOptions
+from .parameters import BaseParameter, base_parameters
+from .point_mass import PointMass
 from .reading import read_recording
 from .recording import Recording
+from .rivals import Rival, rival_of
 from .row_checks import kept_rows
 from .signals import Signals, choose_cutoff, filtered
+from .validation import Validation, validated
 from .weighted_problem import WeightedProblem
 
 __all__ = ["AT_FLOOR", "RecordingComparison", "compare_recording"]
+
+Files = str | Path | Sequence[str | Path]
 
 #: A joint's residual is at the floor below this ratio to it.  On five recordings of three arms the
 #: right model, with friction and rotor inertia, stood 3 to 15 % above; 25 % allows for the
@@ -48,6 +56,10 @@ class RecordingComparison(Result):
     model : the model's torque at the signals, shape (N, n) [N m]
     joints : residuals, joint by joint;  floor : what the best parameters leave
     causes : single causes, the likeliest first
+    parameters : base parameters;  normal : what the recording says about all parameters
+    load : carried in this recording and not in the unloaded one; None without one
+    validation : the fit tried on another recording; None without one
+    rivals : other models
     gains : drive gains from current and controller's torque; () where the file has not both
     findings : what is wrong with the recording
     rows : in the file, before any was left out
@@ -62,10 +74,15 @@ class RecordingComparison(Result):
     joints: tuple[JointResidual, ...]
     floor: Floor
     causes: tuple[Cause, ...]
+    parameters: tuple[BaseParameter, ...]
+    normal: NormalEquations
     gains: tuple[DriveGain, ...]
     findings: tuple[Finding, ...]
     rows: int
     usable: bool
+    load: PointMass | None = None
+    validation: Validation | None = None
+    rivals: tuple[Rival, ...] = ()
 
     @property
     def judged(self) -> tuple[JointResidual, ...]:
@@ -97,11 +114,14 @@ class RecordingComparison(Result):
 
 def compare_recording(
     model: ArmSource,
-    files: str | Path | Sequence[str | Path],
+    files: Files,
     *,
     options: RecordingOptions | None = None,
     cutoff: float | None = None,
     friction: FrictionModel | None = None,
+    unloaded: Files | None = None,
+    validate: Files | None = None,
+    others: Sequence[ArmSource] = (),
 ) -> RecordingComparison:
     """Compare a model with a recording of the robot.
 
@@ -118,6 +138,13 @@ def compare_recording(
     friction : FrictionModel, optional
         Terms of each drive; viscous and Coulomb friction, an offset and rotor inertia when None.
 
+    unloaded : path, or sequence of paths, optional
+        A recording of the same robot without its load: `load` is then what it carried.
+    validate : path, or sequence of paths, optional
+        Another recording of the robot, on which the fit is tried.
+    others : sequence of models, optional
+        Compared with the first on the same samples.
+
     Returns
     -------
     comparison : RecordingComparison
@@ -132,15 +159,19 @@ def compare_recording(
     options = RecordingOptions() if options is None else options
     instance("friction", friction, FrictionModel, "see ur5check.FrictionModel")
     instance("options", options, RecordingOptions, "see ur5check.RecordingOptions")
-    raw, findings = read_recording(files, arm.joint_names, options)
     log = FindingLog()
-    clean = kept_rows(raw, log)
-    check_channels(clean, log)
-    late = velocity_is_late(clean, log)
+    raw, clean, late = _clean(files, arm, options, log)
     if clean.tau is None:
         raise UsageError(_no_torque(clean, friction, late))
     chosen = choose_cutoff(clean) if cutoff is None else number("cutoff", cutoff, positive=True)
     signals = filtered(clean, chosen, friction, velocity_from_position=late)
+
+    def signals_of(more: Files) -> Signals:
+        _, other, other_late = _clean(more, arm, options, log)
+        if other.tau is None:
+            raise UsageError(_no_torque(other, friction, other_late))
+        return filtered(other, chosen, friction, velocity_from_position=other_late)
+
     torque = model_torque(arm, signals)
     floor = floor_of(arm, signals)
     joints = joint_residuals(arm, signals, torque, friction, floor)
@@ -154,14 +185,49 @@ def compare_recording(
             value=max(joint.floor / joint.measured for joint in joints if joint.stands_out),
             bound=0.01,
         )
-    problem = WeightedProblem.of(arm, signals, floor)
+    problem = WeightedProblem.of(arm, signals, floor.sizes)
     causes = causes_of(problem, [k for k, joint in enumerate(joints) if joint.stands_out])
     gains = _gains(clean, chosen, late, friction)
     _check_gains(gains, options.gains, clean.file, log)
     return RecordingComparison(
         arm, clean, signals, friction, torque, joints, floor,
-        causes, gains, (*findings, *log.findings), raw.count, usable,
+        causes, base_parameters(problem), problem.normal, gains, tuple(log.findings), raw.count,
+        usable,
+        None
+        if unloaded is None
+        else load_difference(arm, signals, signals_of(unloaded), floor.sizes),
+        None
+        if validate is None
+        else validated(arm, _name(validate), signals_of(validate), joints, floor),
+        tuple(_rival(other, signals, friction, joints) for other in others),
     )  # fmt: skip
+
+
+def _clean(
+    files: Files, arm: SerialArm, options: RecordingOptions, log: FindingLog
+) -> tuple[Recording, Recording, bool]:
+    """A recording as it is and with its good rows, and whether its velocity must not be used."""
+    raw, findings = read_recording(files, arm.joint_names, options)
+    log.findings.extend(findings)
+    clean = kept_rows(raw, log)
+    check_channels(clean, log)
+    return raw, clean, velocity_is_late(clean, log)
+
+
+def _name(files: Files) -> str:
+    return str(files) if isinstance(files, str | Path) else ", ".join(map(str, files))
+
+
+def _rival(
+    other: ArmSource, signals: Signals, friction: FrictionModel, first: tuple[JointResidual, ...]
+) -> Rival:
+    """Raises UsageError for a model with another number of joints."""
+    arm = as_arm(other)
+    if arm.n != len(first):
+        raise UsageError(f"{arm.label} has {arm.n} joints, the first model {len(first)}")
+    floor = floor_of(arm, signals)
+    joints = joint_residuals(arm, signals, model_torque(arm, signals), friction, floor)
+    return rival_of(arm.label, signals, first, joints)
 
 
 def _gains(

@@ -23,7 +23,7 @@ from .signals import Signals
 __all__ = ["Floor", "JointResidual", "floor_of", "joint_residuals", "model_torque"]
 
 #: Samples used for a fit, at most; more add nothing but time, since signals are band-limited.
-_MOST_SAMPLES = 40_000
+_MOST_SAMPLES = 10_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,11 +70,13 @@ class Floor:
 
     sizes : standard deviation of each joint's residual, shape (n,)
     parameters : 10 n inertial parameters that reach it (not unique), shape (10 n,)
+    drives : each joint's friction and rotor inertia that belong to them, shape (n, k)
     rank : directions of parameters and drives that this recording excites
     """
 
     sizes: Array
     parameters: Array
+    drives: Array
     rank: int
 
 
@@ -108,7 +110,7 @@ def floor_of(arm: SerialArm, signals: Signals) -> Floor:
         found = fit(weighted, (tau / sizes).reshape(-1), blocks)
         residual = found.residual.reshape(count, n) * sizes
         sizes = np.maximum(residual.std(axis=0), 1e-9 * np.maximum(tau.std(axis=0), 1e-9))
-    return Floor(sizes, found.value[: 10 * n], found.rank)
+    return Floor(sizes, found.value[: 10 * n], found.value[10 * n :].reshape(n, k), found.rank)
 
 
 def joint_residuals(

@@ -20,16 +20,12 @@ from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .cause import Cause
 from .joint_residuals import model_torque
-from .signals import Signals
 from .weighted_problem import WeightedProblem
 
-__all__ = ["link_causes", "mistake_causes"]
+__all__ = ["link_causes", "mistake_causes", "without_mistake"]
 
 _ROUNDS = 5
 _INERTIAL = ("mass", "centre", "tensor", "body")
-
-#: Samples that a mistake in the geometry is tried on first.
-_FIRST_SAMPLES = 1000
 
 #: Mistakes that are reported; the others are counted.
 _REPORTED = 8
@@ -129,25 +125,19 @@ def _placed(problem: WeightedProblem, i: int, parameters: Array) -> Array:
 def mistake_causes(problem: WeightedProblem) -> list[Cause]:
     """Every known mistake undone in every link, the likeliest first."""
     arm = problem.arm
-    tried: list[tuple[LinkMistake, str, int, SerialArm]] = []
-    bodies = tuple(body_of(arm, i) for i in range(arm.n))
-    pair = LinkPair("b", bodies, bodies)
-    for mistake in LINK_MISTAKES:
-        for i in range(arm.n):
-            for how, value in mistake.repairs(pair, i):
-                repaired = with_body(arm, i, changed(bodies[i], mistake.quantity, value))
-                tried.append((mistake, how, i, repaired))
+    tried = list(_repairs(arm))
     inertial = [k for k, (mistake, *_) in enumerate(tried) if mistake.quantity in _INERTIAL]
     rests = np.full(len(tried), np.inf)
     if inertial:
         own = arm.parameters()
         changes = np.stack([tried[k][3].parameters() - own for k in inertial])
-        rests[inertial] = problem.rest_of(changes)
-    few = slice(None, None, max(1, len(problem.signals.t) // _FIRST_SAMPLES))
-    part = problem.signals.selected(few)
+        rests[inertial] = problem.normal.rest(changes)
+    coarse = problem.coarse()
+    scale = problem.signals.count / coarse.signals.count
     for k, (mistake, _, _, repaired) in enumerate(tried):
         if mistake.quantity not in _INERTIAL:
-            rests[k] = _rest_of_geometry(problem, repaired, part, few)
+            torque = model_torque(repaired, coarse.signals)
+            rests[k] = scale * (coarse.weighted(coarse.signals.tau - torque) ** 2).sum()
     causes: list[Cause] = []
     seen: list[float] = []
     for k in np.argsort(rests, kind="stable"):
@@ -169,14 +159,26 @@ def mistake_causes(problem: WeightedProblem) -> list[Cause]:
     return causes
 
 
-def _rest_of_geometry(
-    problem: WeightedProblem, repaired: SerialArm, part: Signals, few: slice
-) -> float:
-    """Sum of squares of a model with another geometry, from a part of the samples."""
-    difference = (part.tau - model_torque(repaired, part)) / problem.sizes
-    total = 0.0
-    for j in range(problem.n):
-        Q = problem.Q[j][few]
-        y = difference[:, j]
-        total += float(((y - Q @ np.linalg.lstsq(Q, y, rcond=None)[0]) ** 2).sum())
-    return total * len(problem.signals.t) / len(difference)
+def _repairs(arm: SerialArm) -> Iterator[tuple[LinkMistake, str, int, SerialArm]]:
+    """Every mistake, how it was made, in which link (from 0), and the arm without it."""
+    bodies = tuple(body_of(arm, i) for i in range(arm.n))
+    # There is no second model: what a link should be, the recording says.
+    pair = LinkPair("b", bodies, bodies)
+    for mistake in LINK_MISTAKES:
+        for i in range(arm.n):
+            for how, value in mistake.repairs(pair, i):
+                yield (
+                    mistake,
+                    how,
+                    i,
+                    with_body(arm, i, changed(bodies[i], mistake.quantity, value)),
+                )
+
+
+def without_mistake(arm: SerialArm, cause: Cause) -> SerialArm:
+    """The arm with the mistake of a cause undone."""
+    return next(
+        repaired
+        for mistake, how, i, repaired in _repairs(arm)
+        if (mistake.id, how, i + 1) == (cause.mistake, cause.how, cause.joint)
+    )

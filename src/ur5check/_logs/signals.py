@@ -147,6 +147,8 @@ def filtered(
         )
         rough = friction.columns(sosfiltfilt(wide, fast, axis=0), smooth["qdd"])
         smooth["drive"] = sosfiltfilt(sos, rough, axis=0)
+        # The rotor's column is filtered once already, and then the same as the links' inertia's.
+        smooth["drive"][..., -1] = smooth["qdd"]
         inner = slice(margin, len(t) - margin, keep)
         part = {name: values[inner] for name, values in smooth.items()}
         part["t"], part["segment"] = t[inner], np.full(len(t[inner]), number)

@@ -19,11 +19,15 @@ from .._dynamics.regressor import torque_regressor
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .cause import Cause, CauseId
-from .joint_residuals import Floor, model_torque, thinned
+from .joint_residuals import model_torque, thinned
 from .least_squares import Fit, blocks_of, fit
+from .normal_equations import NormalEquations
 from .signals import Signals
 
 __all__ = ["WeightedProblem"]
+
+#: Samples that many causes are tried on first.
+_FIRST_SAMPLES = 800
 
 #: Directions weaker than this part of the strongest are not excited.
 _UNEXCITED = 1e-6
@@ -38,11 +42,9 @@ class WeightedProblem:
     Q : for each joint an orthonormal basis of its drive's columns
     sizes : weights, shape (n,)
     blocks : of every weighted row, shape (N n,)
-    Y : regressor, weighted, shape (N n, 10 n);  G = YᵀY
-    residual : measured − model, weighted, shape (N n,);  g = Yᵀ residual
-    base, floor : sums of squares without any cause, and with all parameters free
-    independent : independent rows over rows
-    rank : excited directions of the parameters
+    Y : regressor, weighted, shape (N n, 10 n)
+    residual : measured − model, weighted, shape (N n,)
+    normal : of both
     """
 
     arm: SerialArm
@@ -52,35 +54,37 @@ class WeightedProblem:
     sizes: Array
     blocks: NDArray[np.int64]
     Y: Array
-    G: Array
     residual: Array
-    g: Array
-    base: float
-    floor: float
-    independent: float
-    rank: int
+    normal: NormalEquations
 
     @classmethod
-    def of(cls, arm: SerialArm, signals: Signals, floor: Floor) -> WeightedProblem:
+    def of(cls, arm: SerialArm, signals: Signals, sizes: Array) -> WeightedProblem:
         signals = signals.selected(thinned(signals))
         Q = tuple(_basis(signals.drive[:, j]) for j in range(arm.n))
         blocks = np.repeat(blocks_of(signals.t, signals.segment, signals.cutoff), arm.n)
         torque = model_torque(arm, signals)
-        nothing = np.zeros(0)
-        problem = cls(
-            arm, signals, torque, Q, floor.sizes, blocks, nothing, nothing, nothing, nothing,
-            0.0, 0.0, 1.0, 0,
-        )  # fmt: skip
+        none = np.zeros(0)
+        empty = NormalEquations(none, none, 0.0, 0.0, 1.0, 0)
+        problem = cls(arm, signals, torque, Q, sizes, blocks, none, none, empty)
         Y = problem.weighted(torque_regressor(arm, signals.q, signals.qd, signals.qdd))
         residual = problem.weighted(signals.tau - torque)
         G, g = Y.T @ Y, Y.T @ residual
         basis, rank = _excited(G)
         scores = basis.T @ g
         rest = residual - Y @ (basis @ scores)
-        return replace(
-            problem, Y=Y, G=G, residual=residual, g=g, base=float(residual @ residual),
-            floor=float(rest @ rest), independent=_independent(Y @ basis, rest, blocks), rank=rank,
-        )  # fmt: skip
+        independent = _independent(Y @ basis, rest, blocks)
+        normal = NormalEquations(
+            G, g, float(residual @ residual), float(rest @ rest), independent, rank
+        )
+        return replace(problem, Y=Y, residual=residual, normal=normal)
+
+    def coarse(self) -> WeightedProblem:
+        """The same with at most `_FIRST_SAMPLES` samples, for trying many causes."""
+        step = -(-self.signals.count // _FIRST_SAMPLES)
+        if step == 1:
+            return self
+        few = self.signals.selected(slice(None, None, step))
+        return WeightedProblem.of(self.arm, few, self.sizes)
 
     @property
     def n(self) -> int:
@@ -109,19 +113,11 @@ class WeightedProblem:
         """
         return fit(self.Y @ directions, self.residual - self.Y @ change, self.blocks)
 
-    def rest_of(self, change: Array) -> Array:
-        """Sums of squares that known changes of the parameters, shape (…, 10 n), leave."""
-        return np.asarray(
-            self.base
-            - 2.0 * change @ self.g
-            + np.einsum("...i,ij,...j->...", change, self.G, change)
-        )
-
     def evidence(self, rest: float, coefficients: int, alternatives: int) -> float:
         """Of a cause that leaves a sum of squares."""
-        count = max(2.0, self.independent * len(self.residual))
+        count = max(2.0, self.normal.independent * len(self.residual))
         chance = coefficients * np.log(count) + 2.0 * np.log(max(1, alternatives))
-        return float(self.independent * (self.base - rest) - chance)
+        return float(self.normal.independent * (self.normal.base - rest) - chance)
 
     def cause(
         self,
@@ -148,7 +144,7 @@ class WeightedProblem:
             value,
             half_width,
             self.evidence(rest, fitted, alternatives),
-            (self.base - rest) / max(self.base - self.floor, 1e-300),
+            (self.normal.base - rest) / max(self.normal.base - self.normal.floor, 1e-300),
             residual.reshape(-1, self.n).std(axis=0) * self.sizes,
             mistake,
             how,

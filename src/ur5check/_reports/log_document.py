@@ -7,6 +7,7 @@ import math
 from .._finding import Finding
 from .._logs.causes import EVIDENCE
 from .._logs.comparison import RecordingComparison
+from .._logs.parameters import BETWEEN_RUNS
 from .document import Column, Document, Row, Section, Table, Verdict
 from .log_summary import (
     cause_in_words,
@@ -27,7 +28,7 @@ def log_document(c: RecordingComparison, *, command: str = "") -> Document:
         f"{titled(c.arm)} against {c.recording.file}",
         Verdict(word_of_log(c), verdict_of_log(c), c.passed),
         summarize_log(c),
-        (_recording(c), _residuals(c), _drives(c), _causes(c), *_gains(c)),
+        (_recording(c), _residuals(c), _drives(c), _causes(c), _parameters(c), *_gains(c)),
         Provenance((*inputs_of((c.arm,)), *c.recording.inputs), command=command),
     )
 
@@ -134,6 +135,61 @@ def _causes(c: RecordingComparison) -> Section:
                 "and the cause removes most of what free parameters remove; others within "
                 f"{EVIDENCE:g} of the best are possible too.",
             ),
+        ),
+    )
+
+
+def _parameters(c: RecordingComparison) -> Section:
+    rows = [
+        Row(
+            (
+                parameter.combination,
+                figures(parameter.given),
+                _interval(parameter.change, parameter.half_width),
+                "yes" if parameter.differs else "" if parameter.excited else "not excited",
+            )
+        )
+        for parameter in c.parameters
+    ]
+    validation: tuple[Table, ...] = ()
+    if c.validation is not None:
+        v = c.validation
+        validation = (
+            Table(
+                (
+                    Column("joint"),
+                    Column("given", number=True),
+                    Column("fitted", number=True),
+                    Column("floor", number=True),
+                ),
+                tuple(
+                    Row((joint.name, *map(figures, sizes)))
+                    for joint, *sizes in zip(c.joints, v.given, v.fitted, v.floor, strict=True)
+                ),
+                note=f"Residuals on {v.file} [N m]: the given model and the fitted parameters, "
+                "both with drives fitted here; its own floor.",
+            ),
+        )
+    return Section(
+        "Base parameters",
+        (
+            f"{sum(p.excited for p in c.parameters)} of {len(c.parameters)} are determined by this "
+            "recording to better than their own size.",
+        ),
+        (
+            Table(
+                (
+                    Column("combination"),
+                    Column("model", number=True),
+                    Column("change", number=True),
+                    Column("differs"),
+                ),
+                tuple(rows),
+                note="SI units, in the links' own frames i. ± is a 95 % interval over blocks of "
+                f"this recording; a change counts beyond {BETWEEN_RUNS:g} times that, the scatter "
+                "between recordings. Masses of single links are not among what torques determine.",
+            ),
+            *validation,
         ),
     )
 

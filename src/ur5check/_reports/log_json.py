@@ -9,6 +9,7 @@ import msgspec
 from .._logs.cause import CauseId
 from .._logs.comparison import RecordingComparison
 from .._logs.least_squares import Fit
+from .._logs.point_mass import PointMass
 from .json_report import Report, head
 from .json_values import Model, Number, Vector, model_value, vector
 from .log_summary import cause_in_words, summarize_log, verdict_of_log, word_of_log
@@ -83,6 +84,39 @@ class CauseValue(msgspec.Struct, frozen=True, kw_only=True):
     how: str | None
 
 
+class ParameterValue(msgspec.Struct, frozen=True, kw_only=True):
+    """One base parameter in SI units: the model's value, and the change that the recording asks
+    for, with its 95 % interval.
+    """
+
+    parameter: str
+    combination: str
+    given: float
+    change: Number
+    half_width: Number
+    excited: bool
+    differs: bool
+
+
+class ValidationValue(msgspec.Struct, frozen=True, kw_only=True):
+    """The fit tried on another recording: its residuals, joint by joint [N m]."""
+
+    file: str
+    given: Vector
+    fitted: Vector
+    floor: Vector
+    helps: bool
+
+
+class RivalValue(msgspec.Struct, frozen=True, kw_only=True):
+    """Another model: its mean squared weighted residual less the first one's."""
+
+    label: str
+    difference: float
+    half_width: float
+    clear: bool
+
+
 class LogReport(Report, frozen=True, kw_only=True, tag="ur5check.log/1"):
     """A model against a recording."""
 
@@ -93,6 +127,10 @@ class LogReport(Report, frozen=True, kw_only=True, tag="ur5check.log/1"):
     findings: list[FindingValue]
     joints: list[JointValue]
     causes: list[CauseValue]
+    parameters: list[ParameterValue]
+    load: list[Interval] | None
+    validation: ValidationValue | None
+    rivals: list[RivalValue]
     gains: list[Interval]
 
 
@@ -159,11 +197,50 @@ def log_json(c: RecordingComparison, *, command: str = "") -> LogReport:
             )
             for cause in c.causes
         ],
+        parameters=[
+            ParameterValue(
+                parameter=p.name,
+                combination=p.combination,
+                given=p.given,
+                change=p.change,
+                half_width=p.half_width,
+                excited=p.excited,
+                differs=p.differs,
+            )
+            for p in c.parameters
+        ],
+        load=None if c.load is None else _load(c.load),
+        validation=None
+        if c.validation is None
+        else ValidationValue(
+            file=c.validation.file,
+            given=vector(c.validation.given),
+            fitted=vector(c.validation.fitted),
+            floor=vector(c.validation.floor),
+            helps=c.validation.helps,
+        ),
+        rivals=[
+            RivalValue(
+                label=rival.label,
+                difference=rival.difference,
+                half_width=rival.half_width,
+                clear=rival.clear,
+            )
+            for rival in c.rivals
+        ],
         gains=[
             Interval(name=g.joint, value=g.value, half_width=g.half_width, unit="N m/A")
             for g in c.gains
         ],
     )
+
+
+def _load(load: PointMass) -> list[Interval]:
+    labels = (("mass", "kg"), ("centre x", "m"), ("centre y", "m"), ("centre z", "m"))
+    return [
+        Interval(name=name, value=float(value), half_width=float(width), unit=unit)
+        for (name, unit), value, width in zip(labels, load.value, load.half_width, strict=True)
+    ]
 
 
 def _intervals(names: tuple[str, ...], fitted: Fit) -> list[Interval]:

@@ -62,6 +62,21 @@ def summarize_log(c: RecordingComparison) -> tuple[str, ...]:
         )
     elif c.remarks:
         lines.append(f"Within the floor's margin, yet clear: {cause_in_words(c.remarks[0], c)}.")
+    lines += _other_recordings(c)
+    for rival in c.rivals:
+        better = "better" if rival.difference > 0.0 else "worse"
+        lines.append(
+            f"{c.arm.label} explains it {better} than {rival.label}: mean squared residuals over "
+            f"the floor's differ by {abs(rival.difference):.3g} ± {rival.half_width:.2g}."
+            if rival.clear
+            else f"{rival.label} explains it as well, within the scatter between blocks of time."
+        )
+    differing = [parameter for parameter in c.parameters if parameter.differs]
+    if differing and not c.at_floor and not c.named:
+        lines.append(
+            f"{len(differing)} of {len(c.parameters)} base parameters differ clearly (--full); "
+            "--repair writes the nearest model that explains the recording."
+        )
     silent = [joint.name for joint in c.joints if not joint.stands_out]
     if silent:
         lines.append(
@@ -75,6 +90,26 @@ def summarize_log(c: RecordingComparison) -> tuple[str, ...]:
             "about that axis is too large, or velocities are late."
         )
     return tuple(lines)
+
+
+def _other_recordings(c: RecordingComparison) -> list[str]:
+    lines = []
+    if c.load is not None:
+        value, width = c.load.value, c.load.half_width
+        lines.append(
+            f"Against the unloaded run the robot carried {value[0]:.4g} ± {width[0]:.2g} kg at "
+            f"{coordinates(value[1:])} m in the frame of {c.arm.source.tip}; a wrong drive gain "
+            "scales it."
+        )
+    if c.validation is not None:
+        v = c.validation
+        used = "help" if v.helps else "do not help"
+        ratio = float((v.fitted / v.given).mean())
+        lines.append(
+            f"Parameters fitted here {used} on {v.file}: on average {ratio:.2f} times the residual "
+            "of the given model."
+        )
+    return lines
 
 
 def _clearly_negative(drive: object) -> bool:

@@ -11,7 +11,7 @@ from .._arguments import number
 from .._errors import ModelError
 from .transforms import Array, Transform, frozen, skew
 
-__all__ = ["PARAMETERS", "Inertia", "parameter_map"]
+__all__ = ["PARAMETERS", "Inertia", "parameter_map", "parameters_of_pseudo_inertia"]
 
 #: Names of the ten inertial parameters, in the order of Pinocchio's `Inertia.toDynamicParameters`:
 #: mass [kg], first moment [kg m], and the tensor about the *frame's origin* [kg m²].
@@ -138,6 +138,12 @@ class Inertia:
             tensor += part.tensor - part.mass * lever @ lever
         return Inertia(mass, com, tensor)
 
+    def pseudo_inertia(self) -> Array:
+        """[[Σ, m c], [(m c)ᵀ, m]] with Σ = ½ tr(I_o) 1 − I_o, shape (4, 4): positive definite for
+        a body that fills space (Wensing, Kim & Slotine 2018).
+        """
+        return _pseudo_inertia(self.parameters())
+
     def principal_moments(self) -> Array:
         """Eigenvalues of the tensor, ascending, shape (3,) [kg m²]."""
         return np.asarray(np.linalg.eigvalsh(self.tensor), dtype=np.float64)
@@ -158,7 +164,7 @@ def parameter_map(T_ab: Transform) -> Array:
     J_a = T J_b Tᵀ (Wensing, Kim & Slotine 2018), which is linear in π also for a body without mass.
     """
     T = T_ab.matrix()
-    columns = [_from_pseudo_inertia(T @ _pseudo_inertia(unit) @ T.T) for unit in np.eye(10)]
+    columns = [parameters_of_pseudo_inertia(T @ _pseudo_inertia(unit) @ T.T) for unit in np.eye(10)]
     return np.column_stack(columns)
 
 
@@ -173,6 +179,7 @@ def _pseudo_inertia(pi: Array) -> Array:
     return J
 
 
-def _from_pseudo_inertia(J: Array) -> Array:
+def parameters_of_pseudo_inertia(J: Array) -> Array:
+    """The ten parameters of a pseudo-inertia, shape (4, 4)."""
     about_origin = np.trace(J[:3, :3]) * np.eye(3) - J[:3, :3]
     return np.array([J[3, 3], *J[:3, 3], *(about_origin[entry] for entry in _UPPER)])
