@@ -31,10 +31,11 @@ from .recording import Recording
 from .rivals import Rival, rival_of
 from .row_checks import kept_rows
 from .signals import Signals, choose_cutoff, filtered
+from .transition_speed import transition_speeds
 from .validation import Validation, validated
 from .weighted_problem import WeightedProblem
 
-__all__ = ["AT_FLOOR", "RecordingComparison", "compare_recording"]
+__all__ = ["AT_FLOOR", "GAIN_KNOWN", "RecordingComparison", "compare_recording"]
 
 Files = str | Path | Sequence[str | Path]
 
@@ -42,6 +43,10 @@ Files = str | Path | Sequence[str | Path]
 #: right model, with friction and rotor inertia, stood 3 to 15 % above; 25 % allows for the
 #: friction that no formula has.
 AT_FLOOR = 1.25
+
+#: … and so it is where what stands above the floor is below this part of the model's torque: no
+#: better are drive gains known, and a wrong gain leaves as much.
+GAIN_KNOWN = 0.03
 
 #: Gains that a recording shows and gains that were given may differ by this much.
 _SAME_GAIN = 0.02
@@ -91,8 +96,13 @@ class RecordingComparison(Result):
 
     @property
     def at_floor(self) -> bool:
-        """Whether no judged joint stands above the floor by more than `AT_FLOOR`."""
-        return all(joint.above_floor <= AT_FLOOR for joint in self.judged)
+        """Whether no judged joint stands above the floor by more than `AT_FLOOR` allows, or an
+        error of the drive's gain of `GAIN_KNOWN`.
+        """
+        return all(
+            joint.above_floor <= AT_FLOOR or joint.excess <= GAIN_KNOWN * joint.model
+            for joint in self.judged
+        )
 
     @property
     def named(self) -> tuple[Cause, ...]:
@@ -164,13 +174,14 @@ def compare_recording(
     if clean.tau is None:
         raise UsageError(_no_torque(clean, friction, late))
     chosen = choose_cutoff(clean) if cutoff is None else number("cutoff", cutoff, positive=True)
-    signals = filtered(clean, chosen, friction, velocity_from_position=late)
+    v0 = transition_speeds(arm, clean, chosen, friction, velocity_from_position=late)
+    signals = filtered(clean, chosen, friction, v0=v0, velocity_from_position=late)
 
     def signals_of(more: Files) -> Signals:
         _, other, other_late = _clean(more, arm, options, log)
         if other.tau is None:
             raise UsageError(_no_torque(other, friction, other_late))
-        return filtered(other, chosen, friction, velocity_from_position=other_late)
+        return filtered(other, chosen, friction, v0=v0, velocity_from_position=other_late)
 
     torque = model_torque(arm, signals)
     floor = floor_of(arm, signals)

@@ -1,9 +1,11 @@
 """Friction and rotor inertia: what a joint's drive adds to the torque of the links.
 
-    τ_drive = viscous q̇ + coulomb tanh(q̇ / v0) + offset + rotor q̈
+    τ_drive = viscous q̇ + coulomb tanh(u) + offset + transition u / cosh²(u) + rotor q̈,  u = q̇ / v0
 
 linear in its coefficients, which are each joint's own (Khalil & Dombre, Modeling, Identification
-and Control of Robots, 2002, ch. 9; Swevers et al., IEEE Control Systems 27(5), 2007).
+and Control of Robots, 2002, ch. 9; Swevers et al., IEEE Control Systems 27(5), 2007).  How fast
+Coulomb friction changes its sign is a drive's own too: the transition is the derivative of tanh(u)
+by v0.
 """
 
 from __future__ import annotations
@@ -14,11 +16,11 @@ import numpy as np
 
 from .._robot.transforms import Array
 
-__all__ = ["FrictionModel"]
+__all__ = ["USUAL_V0", "FrictionModel"]
 
-#: Below this speed [rad/s or m/s] Coulomb friction goes through zero gradually, as any measured
-#: velocity does.
-_V0 = 0.02
+#: The usual v0 [rad/s or m/s]: below it Coulomb friction goes through zero gradually, as any
+#: measured velocity does.
+USUAL_V0 = 0.02
 
 #: Stribeck's velocity [rad/s or m/s]: above it the excess of static friction has faded.
 _STRIBECK = 0.1
@@ -38,12 +40,18 @@ class FrictionModel:
     @property
     def names(self) -> tuple[str, ...]:
         """Of the coefficients, the rotor inertia last."""
-        coulomb = ("coulomb+", "coulomb-") if self.asymmetric else ("coulomb",)
-        return ("viscous", *coulomb, *(("stribeck",) if self.stribeck else ()), "offset", "rotor")
+        return (*self.usual_names, "transition", "rotor")
 
-    def columns(self, qd: Array, qdd: Array) -> Array:
+    @property
+    def usual_names(self) -> tuple[str, ...]:
+        """The first of them: friction alone, with the same transition for all drives."""
+        coulomb = ("coulomb+", "coulomb-") if self.asymmetric else ("coulomb",)
+        return ("viscous", *coulomb, *(("stribeck",) if self.stribeck else ()), "offset")
+
+    def columns(self, qd: Array, qdd: Array, v0: Array | float = USUAL_V0) -> Array:
         """What each coefficient is multiplied with: of shape (…) each, shape (…, len(names))."""
-        direction = np.tanh(qd / _V0)
+        direction = np.tanh(qd / v0)
+        transition = qd / v0 * (1.0 - direction**2)
         columns = [qd]
         if self.asymmetric:
             # Their mean is the offset's column, which is left to the offset.
@@ -52,4 +60,4 @@ class FrictionModel:
             columns.append(direction)
         if self.stribeck:
             columns.append(np.exp(-((qd / _STRIBECK) ** 2)) * direction)
-        return np.stack([*columns, np.ones_like(qd), qdd], axis=-1)
+        return np.stack([*columns, np.ones_like(qd), transition, qdd], axis=-1)

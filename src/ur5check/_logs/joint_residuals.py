@@ -34,7 +34,7 @@ class JointResidual:
     alone : of measured − model
     with_friction, with_rotor : of what remains after friction, and after rotor inertia too
     floor : of what the best inertial parameters leave
-    friction : the usual fit of friction, in the order of `FrictionModel.names` without the rotor
+    friction : the usual fit of friction, in the order of `FrictionModel.usual_names`
     drive : the fit of friction and rotor inertia, in the order of `FrictionModel.names`.  A
         negative rotor inertia is none: the model's own inertia about this axis is too large
     scale, scale_half_width : of the model's torque, that fits best; nan where the model's torque
@@ -62,6 +62,11 @@ class JointResidual:
     def above_floor(self) -> float:
         """What remains with the given model, over what the best one leaves."""
         return self.with_rotor / self.floor if self.floor > 0.0 else 1.0
+
+    @property
+    def excess(self) -> float:
+        """The part of what remains that better parameters would explain [N m]."""
+        return float(np.sqrt(max(0.0, self.with_rotor**2 - self.floor**2)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +128,8 @@ def joint_residuals(
     rows = []
     for j in range(arm.n):
         D, y, m = signals.drive[part, j], signals.tau[part, j], model[part, j]
-        usual = friction.columns(signals.qd[part, j], signals.qdd[part, j])[:, :-1]
+        columns = friction.columns(signals.qd[part, j], signals.qdd[part, j])
+        usual = columns[:, : len(friction.usual_names)]
         with_friction = fit(usual, y - m, blocks)
         drive = fit(D, y - m, blocks)
         size = float(drive.residual.std())

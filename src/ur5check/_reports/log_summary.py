@@ -6,7 +6,7 @@ import math
 
 from .._comparison.diagnosis.mistakes import LINK_MISTAKES
 from .._logs.cause import Cause
-from .._logs.comparison import AT_FLOOR, RecordingComparison
+from .._logs.comparison import AT_FLOOR, GAIN_KNOWN, RecordingComparison
 from .wording import coordinates, joined
 
 __all__ = ["cause_in_words", "summarize_log", "verdict_of_log", "word_of_log"]
@@ -172,5 +172,6 @@ def floor_in_words() -> str:
     """What is called at the floor."""
     return (
         f"At the floor: at most {AT_FLOOR:g} times what all base parameters, friction and rotor "
-        "inertia leave when they are fitted to this recording."
+        "inertia leave when they are fitted to this recording, or above it by less than "
+        f"{GAIN_KNOWN:.0%} of the model's torque, as a gain that is wrong by so much would leave."
     )
