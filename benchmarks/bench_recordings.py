@@ -158,14 +158,13 @@ def outcome_of(seed: int) -> Outcome:
     with tempfile.TemporaryDirectory() as folder:
         file = recorded(motion, run.logger, rng, Path(folder) / "run.csv")
         c = compare_recording(run.model, file)
-    told = c.named or c.remarks
     rules = tuple(finding.rule for finding in c.findings)
     word = "PASS" if c.passed else "FAIL" if c.usable and c.judged else "UNUSABLE"
     return Outcome(
         seed, run.kind, run.arm, word, _right(run, c, rules),
         tuple(f"{cause.id}:{cause.joint}:{cause.mistake}" for cause in c.named[:3]),
         tuple(f"{cause.id}:{cause.joint}:{cause.mistake}" for cause in c.remarks[:3]),
-        rules, _payload_error(run, c), _coverage(run, c, bool(told)),
+        rules, _payload_error(run, c), _coverage(run, c),
     )  # fmt: skip
 
 
@@ -193,7 +192,7 @@ def _payload_error(run: Run, c: RecordingComparison) -> tuple[float, float] | No
     return abs(found[0] / truth[0] - 1.0), float(np.linalg.norm(found[1:] - truth[1:]))
 
 
-def _coverage(run: Run, c: RecordingComparison, told: bool) -> dict[str, tuple[int, int]]:
+def _coverage(run: Run, c: RecordingComparison) -> dict[str, tuple[int, int]]:
     """Intervals that hold the truth, of those that were made."""
     held: dict[str, list[bool]] = defaultdict(list)
     if run.value:
@@ -202,11 +201,16 @@ def _coverage(run: Run, c: RecordingComparison, told: bool) -> dict[str, tuple[i
     if run.kind in HONEST:
         held["base parameters"] += [abs(p.change) <= p.half_width for p in c.parameters]
         for j, joint in enumerate(c.joints):
-            truth = np.array([run.drives.viscous[j], run.drives.coulomb[j], 0, run.drives.rotor[j]])
-            inside = np.abs(joint.drive.value - truth) <= joint.drive.half_width
-            for name, inside_ in zip(("viscous", "coulomb", "", "rotor"), inside, strict=True):
-                if name and joint.stands_out:
-                    held[name].append(bool(inside_))
+            truth = {
+                "viscous": run.drives.viscous[j],
+                "coulomb": run.drives.coulomb[j],
+                "rotor": run.drives.rotor[j],
+            }
+            drive = zip(c.friction.names, joint.drive.value, joint.drive.half_width, strict=True)
+            if joint.stands_out:
+                for name, value, width in drive:
+                    if name in truth:
+                        held[name].append(bool(abs(value - truth[name]) <= width))
     return {name: (sum(map(bool, values)), len(values)) for name, values in held.items()}
 
 

@@ -6,7 +6,7 @@ the log-det divergence from the given J0,
 
     D(J, J0) = tr(J0⁻¹ J) − log det(J0⁻¹ J) − 4,
 
-is added to the sum of squares (Lee, Wensing & Park, IEEE T-RO 36(3), 2020).  It is a convex problem
+is added to the sum of squares (Lee, Wensing & Park, IEEE T-RO 36(2), 2020).  It is a convex problem
 with linear matrix inequalities (Sousa & Cortesão, IJRR 33(6), 2014).
 """
 

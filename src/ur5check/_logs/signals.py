@@ -6,7 +6,7 @@ are left out: there the filter has only half of what it needs.
 
 Friction jumps where a joint reverses, and a torque's low-pass rounds the jump.  So the columns of
 friction are computed from a velocity of more bandwidth and pass the filter too ("parallel
-filtering": Gautier, IEEE ICRA 1997, pp. 3337–3342).
+filtering": Gautier, IEEE ICRA 1997).
 """
 
 from __future__ import annotations

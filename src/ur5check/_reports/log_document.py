@@ -112,8 +112,8 @@ def _drives(c: RecordingComparison) -> Section:
                 (Column("joint"), *(Column(name, number=True) for name in names)),
                 tuple(rows),
                 note="Viscous [N m s/rad], Coulomb, offset and transition [N m], rotor [kg m²]; "
-                "± is a 95 % interval over blocks of this recording. Between recordings such values "
-                "scatter about three times as much.",
+                "± is a 95 % interval over blocks of this recording. Between recordings such "
+                "values scatter about three times as much.",
             ),
         ),
     )
