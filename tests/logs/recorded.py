@@ -97,9 +97,9 @@ def changed(arm: SerialArm, link: int, inertia: Inertia) -> SerialArm:
 
 
 def heavier(arm: SerialArm, link: int, factor: float) -> SerialArm:
-    """The arm with one link's mass and tensor times a factor."""
+    """The arm with one link's mass times a factor; centre and tensor as they are."""
     own = arm.links[link].inertia
-    return changed(arm, link, replace(own, mass=factor * own.mass, tensor=factor * own.tensor))
+    return changed(arm, link, replace(own, mass=factor * own.mass))
 
 
 def write(motion: Motion, file: Path, header: str = "") -> Path:

@@ -27,9 +27,9 @@ def test_the_right_model_passes_with_no_cause(arm: SerialArm, motion: Motion, fi
     assert found.named == ()
     assert [finding.rule for finding in found.findings] == ["LOG111"]
     for joint, truth in zip(found.joints, DRIVES, strict=True):
-        # Viscous and Coulomb friction, offset, rotor inertia; a filtered Coulomb step is not quite
-        # a tanh of the filtered velocity, so a few per cent.
-        assert np.abs(joint.drive.value - truth).max() < 0.1 * truth.max()
+        # Viscous and Coulomb friction, offset, rotor inertia; noise and the form of the transition
+        # leave a few per cent.
+        assert np.abs(joint.drive.value[[0, 1, 2, 4]] - truth).max() < 0.05 * truth.max()
 
 
 @pytest.mark.parametrize(
@@ -39,8 +39,8 @@ def test_the_right_model_passes_with_no_cause(arm: SerialArm, motion: Motion, fi
         ("missing", "payload", 0, [-0.5, 0.0, 0.03, 0.05], [0.02, 0.01, 0.01, 0.01]),
         ("gain", "gain-of-joint", 2, [1.12], [0.01]),
         ("gains", "gain-of-all", 0, [0.88], [0.01]),
-        ("tilt", "gravity-direction", 0, [np.nan, np.nan, np.nan, 3.0], [1, 1, 1, 0.3]),
-        ("zero", "joint-zero", 2, [np.radians(2.0)], [np.radians(0.2)]),
+        ("tilt", "gravity-direction", 0, [np.nan, np.nan, np.nan, 6.0], [1, 1, 1, 0.3]),
+        ("zero", "joint-zero", 2, [np.radians(5.0)], [np.radians(0.2)]),
         ("quarter", "joint-zero", 2, [np.pi / 2], [np.radians(0.2)]),
         ("sign", "joint-sign", 2, [-1.0], [0.0]),
     ],
@@ -67,10 +67,10 @@ def test_a_planted_cause_is_named(
         case "gains":
             options = {"gains": 0.88}
         case "tilt":
-            angle = np.radians(3.0)
+            angle = np.radians(6.0)
             options = {"gravity": 9.81 * np.array([np.sin(angle), 0.0, -np.cos(angle)])}
         case "zero":
-            zero[1] = np.radians(2.0)
+            zero[1] = np.radians(5.0)
         case "quarter":
             zero[1] = np.pi / 2
         case "sign":
@@ -132,7 +132,7 @@ def test_gains_from_current_and_the_controllers_torque(arm: SerialArm, tmp_path:
 def test_friction_terms_that_are_asked_for(arm: SerialArm, motion: Motion, file: Path) -> None:
     friction = FrictionModel(stribeck=True, asymmetric=True)
     found = compare(arm, motion, file, friction=friction)
-    names = ("viscous", "coulomb+", "coulomb-", "stribeck", "offset", "rotor")
+    names = ("viscous", "coulomb+", "coulomb-", "stribeck", "offset", "transition", "rotor")
     assert friction.names == names
     assert all(len(joint.drive.value) == len(names) for joint in found.joints)
     assert found.passed

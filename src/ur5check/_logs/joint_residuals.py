@@ -17,7 +17,7 @@ from .._dynamics.regressor import torque_regressor
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .friction import FrictionModel
-from .least_squares import Fit, blocks_of, fit
+from .least_squares import UNEXCITED, Fit, blocks_of, fit
 from .signals import Signals
 
 __all__ = ["Floor", "JointResidual", "floor_of", "joint_residuals", "model_torque"]
@@ -108,14 +108,26 @@ def floor_of(arm: SerialArm, signals: Signals) -> Floor:
     X[:, :, : 10 * n] = Y
     for j in range(n):
         X[:, j, 10 * n + k * j : 10 * n + k * (j + 1)] = drive[:, j]
-    blocks = np.repeat(blocks_of(signals.t[part], signals.segment[part], signals.cutoff), n)
     sizes = np.maximum(tau.std(axis=0), 1e-9)
     for _ in range(2):  # the weights need a first fit
-        weighted = (X / sizes[:, None]).reshape(count * n, -1)
-        found = fit(weighted, (tau / sizes).reshape(-1), blocks)
-        residual = found.residual.reshape(count, n) * sizes
+        value, rank = _solved(X / sizes[:, None], tau / sizes)
+        residual = tau - X @ value
         sizes = np.maximum(residual.std(axis=0), 1e-9 * np.maximum(tau.std(axis=0), 1e-9))
-    return Floor(sizes, found.value[: 10 * n], found.value[10 * n :].reshape(n, k), found.rank)
+    return Floor(sizes, value[: 10 * n], value[10 * n :].reshape(n, k), rank)
+
+
+def _solved(X: Array, y: Array) -> tuple[Array, int]:
+    """The shortest least-squares solution, columns scaled to one length, and the rank.
+
+    By XᵀX, ten times as fast as by singular values; its rounding hides directions below 1e-6.
+    """
+    X, y = X.reshape(-1, X.shape[-1]), y.reshape(-1)
+    scale = np.linalg.norm(X, axis=0)
+    scale[scale == 0.0] = 1.0
+    values, vectors = np.linalg.eigh((X.T @ X) / np.outer(scale, scale))
+    kept = values > UNEXCITED**2 * values[-1]
+    V = vectors[:, kept]
+    return V @ ((V.T @ (X.T @ y / scale)) / values[kept]) / scale, int(kept.sum())
 
 
 def joint_residuals(

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from .._robot.transforms import Array
 
-__all__ = ["Fit", "blocks_of", "fit"]
+__all__ = ["UNEXCITED", "Fit", "blocks_of", "fit"]
 
 #: Blocks of a recording, at most: more would be shorter than the correlation of residuals.
 _MOST_BLOCKS = 40
@@ -29,7 +29,7 @@ _PERIODS = 4.0
 
 #: Singular values below this part of the largest, of columns scaled to one length, are directions
 #: that the recording does not excite: noise would be divided by them.
-_UNEXCITED = 1e-6
+UNEXCITED = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ def fit(X: Array, y: Array, blocks: NDArray[np.int64]) -> Fit:
     scale = np.linalg.norm(X, axis=0)
     scale[scale == 0.0] = 1.0
     U, s, Vt = np.linalg.svd(X / scale, full_matrices=False)
-    rank = int((s > _UNEXCITED * s[0]).sum()) if s[0] > 0.0 else 0
+    rank = int((s > UNEXCITED * s[0]).sum()) if s[0] > 0.0 else 0
     U, s, Vt = U[:, :rank], s[:rank], Vt[:rank]
     value = (Vt.T @ ((U.T @ y) / s)) / scale
     residual = y - X @ value

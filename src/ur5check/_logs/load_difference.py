@@ -13,13 +13,11 @@ from .._dynamics.regressor import torque_regressor
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .joint_residuals import model_torque, thinned
-from .least_squares import blocks_of
+from .least_squares import UNEXCITED, blocks_of
 from .point_mass import PointMass, point_mass
 from .signals import Signals
 
 __all__ = ["load_difference"]
-
-_UNEXCITED = 1e-6
 
 
 def load_difference(arm: SerialArm, loaded: Signals, unloaded: Signals, sizes: Array) -> PointMass:
@@ -46,6 +44,6 @@ def load_difference(arm: SerialArm, loaded: Signals, unloaded: Signals, sizes: A
     X = np.concatenate(common)
     scale = np.linalg.norm(X, axis=0)
     U, s_values, _ = np.linalg.svd(X / np.where(scale > 0.0, scale, 1.0), full_matrices=False)
-    U = U[:, s_values > _UNEXCITED * s_values[0]]
+    U = U[:, s_values > UNEXCITED * s_values[0]]
     P, e = np.concatenate(load), np.concatenate(residual)
     return point_mass(P - U @ (U.T @ P), e - U @ (U.T @ e), np.concatenate(blocks))

@@ -32,5 +32,5 @@ def is_a_model(joints: tuple[JointResidual, ...]) -> bool:
 
 
 def _coulomb(joint: JointResidual) -> float:
-    """Coulomb friction of the usual fit [N m]; of an asymmetric one the larger."""
-    return float(np.abs(joint.friction.value[1:-1]).max(initial=0.0))
+    """Coulomb friction of the fit [N m]; of an asymmetric one the larger."""
+    return float(np.abs(joint.drive.value[1:-3]).max(initial=0.0))

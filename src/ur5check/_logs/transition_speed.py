@@ -16,6 +16,7 @@ from .._dynamics.regressor import torque_regressor
 from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .friction import FrictionModel
+from .least_squares import UNEXCITED
 from .recording import Recording
 from .signals import filtered
 
@@ -55,7 +56,7 @@ def transition_speeds(
 def _basis(columns: Array) -> Array:
     scale = np.linalg.norm(columns, axis=0)
     U, s, _ = np.linalg.svd(columns / np.where(scale > 0.0, scale, 1.0), full_matrices=False)
-    return np.asarray(U[:, s > 1e-6 * s[0]])
+    return np.asarray(U[:, s > UNEXCITED * s[0]])
 
 
 def _left(Q: Array, columns: Array, tau: Array) -> float:

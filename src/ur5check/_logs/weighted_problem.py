@@ -20,7 +20,7 @@ from .._robot.serial_arm import SerialArm
 from .._robot.transforms import Array
 from .cause import Cause, CauseId
 from .joint_residuals import model_torque, thinned
-from .least_squares import Fit, blocks_of, fit
+from .least_squares import UNEXCITED, Fit, blocks_of, fit
 from .normal_equations import NormalEquations
 from .signals import Signals
 
@@ -28,9 +28,6 @@ __all__ = ["WeightedProblem"]
 
 #: Samples that many causes are tried on first.
 _FIRST_SAMPLES = 800
-
-#: Directions weaker than this part of the strongest are not excited.
-_UNEXCITED = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,9 +158,7 @@ def _excited(G: Array) -> tuple[Array, int]:
     """Directions b of the parameters with bᵀ G b = 1, that are excited."""
     scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
     values, vectors = np.linalg.eigh(G / np.outer(scale, scale))
-    kept = values > _UNEXCITED**2 * values[-1]
-    # Squaring loses half of the digits: what is smaller than their noise is none.
-    kept &= values > 1e-12 * values[-1]
+    kept = values > UNEXCITED**2 * values[-1]
     return vectors[:, kept] / np.sqrt(values[kept]) / scale[:, None], int(kept.sum())
 
 
