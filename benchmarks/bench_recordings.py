@@ -1,6 +1,7 @@
 """How well recordings are judged: of robots simulated by MuJoCo, half of them honest.
 
-    python benchmarks/bench_recordings.py [--runs 60] [--tuning] [--jobs 2] [--page FILE]
+    python benchmarks/bench_recordings.py [--runs 60] [--minutes 60] [--tuning] [--jobs 2]
+        [--page FILE]
 
 Every run has its own arm, motion, drives and noise (1 % of each torque).  An honest run's model is
 the robot's; in the others one cause is planted.  Seeds of "tuning" were looked at while thresholds
@@ -189,7 +190,7 @@ def _payload_error(run: Run, c: RecordingComparison) -> tuple[float, float] | No
         return None
     found = next(cause.value for cause in c.causes if cause.id == "payload")
     truth = np.array(run.value)
-    return abs(found[0] / truth[0] - 1.0), float(np.linalg.norm(found[1:] - truth[1:]))
+    return float(abs(found[0] / truth[0] - 1.0)), float(np.linalg.norm(found[1:] - truth[1:]))
 
 
 def _coverage(run: Run, c: RecordingComparison) -> dict[str, tuple[int, int]]:
@@ -295,18 +296,23 @@ def main() -> int:
     """Run, print, write."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=60)
+    parser.add_argument("--minutes", type=float, default=60.0, help="no more runs after them")
     parser.add_argument("--tuning", action="store_true", help="the seeds of tuning")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--large", type=int, default=1_000_000, help="samples; 0 for none")
     parser.add_argument("--page", metavar="FILE")
     args = parser.parse_args()
     first = TUNING if args.tuning else REPORTING
+    end = time.monotonic() + 60.0 * args.minutes
     outcomes = []
     with ProcessPoolExecutor(args.jobs, mp_context=get_context("spawn")) as pool:
         for done in pool.map(outcome_of, range(first, first + args.runs)):
             outcomes.append(done)
             if not done.right or (done.kind in HONEST and (done.named or done.remarks)):
-                print(done, file=sys.stderr)
+                print(done, file=sys.stderr, flush=True)
+            if time.monotonic() > end:
+                pool.shutdown(cancel_futures=True)
+                break
     size = None
     if args.large:
         with (

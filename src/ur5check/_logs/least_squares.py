@@ -5,9 +5,11 @@ formula for independent errors gives intervals several times too narrow.  Here t
 into blocks of time, longer than the correlation, and the covariance is estimated from the scatter
 between them (the "sandwich" of Liang & Zeger, Biometrika 73(1), 1986):
 
-    Σ = (XᵀX)⁻¹ (Σ_b X_bᵀ e_b e_bᵀ X_b) (XᵀX)⁻¹ · B / (B − 1)
+    Σ = (XᵀX)⁻¹ (Σ_b X_bᵀ e_b e_bᵀ X_b) (XᵀX)⁻¹ · (B − 1) / B
 
-with Student's quantile of B − 1 degrees of freedom.
+with Student's quantile of B − 1 degrees of freedom.  A fit bends towards every block; so e_b is
+what the block leaves of a fit to all the others, e_b = (1 − H_bb)⁻¹ (y − X β)_b with the hat matrix
+H = X (XᵀX)⁻¹ Xᵀ (the jackknife: Bell & McCaffrey, Survey Methodology 28(2), 2002).
 """
 
 from __future__ import annotations
@@ -76,10 +78,23 @@ def fit(X: Array, y: Array, blocks: NDArray[np.int64]) -> Fit:
     value = (Vt.T @ ((U.T @ y) / s)) / scale
     residual = y - X @ value
     count = int(blocks.max()) + 1
-    scatter = np.zeros((count, rank))
-    np.add.at(scatter, blocks, U * residual[:, None])
-    inner = scatter.T @ scatter * count / max(1, count - 1)
+    scatter = _scores(U, residual, blocks, count)
+    inner = scatter.T @ scatter * max(1, count - 1) / count
     half = (Vt.T / s) / scale[:, None]
     covariance = half @ inner @ half.T
     quantile = float(student.ppf(0.975, max(1, count - 1)))
     return Fit(value, quantile * np.sqrt(np.diag(covariance)), covariance, residual, rank, quantile)
+
+
+def _scores(U: Array, residual: Array, blocks: NDArray[np.int64], count: int) -> Array:
+    """U_bᵀ (1 − H_bb)⁻¹ e_b of each block, as (1 − U_bᵀ U_b)⁻¹ U_bᵀ e_b, shape (count, rank)."""
+    order = np.argsort(blocks, kind="stable")
+    ends = np.searchsorted(blocks[order], np.arange(count + 1))
+    scores = np.zeros((count, U.shape[1]))
+    for b in range(count):
+        rows = order[ends[b] : ends[b + 1]]
+        values, vectors = np.linalg.eigh(U[rows].T @ U[rows])
+        # A direction that one block alone determines has no other block to be judged by.
+        free = np.maximum(1.0 - values, 0.01)
+        scores[b] = vectors @ ((vectors.T @ (U[rows].T @ residual[rows])) / free)
+    return scores
