@@ -147,12 +147,17 @@ def filtered(
             if "qd" in columns and not velocity_from_position
             else derivative(columns["q"], rate)
         )
-        rough = friction.columns(sosfiltfilt(wide, fast, axis=0), smooth["qdd"], v0)
-        smooth["drive"] = sosfiltfilt(sos, rough, axis=0)
-        # The rotor's column is filtered once already, and then the same as the links' inertia's.
-        smooth["drive"][..., -1] = smooth["qdd"]
         inner = slice(margin, len(t) - margin, keep)
-        part = {name: values[inner] for name, values in smooth.items()}
+        drive = []
+        for j, speed in enumerate(np.broadcast_to(v0, fast.shape[1:])):  # one at a time: memory
+            wide_qd = sosfiltfilt(wide, fast[:, j])
+            rough = friction.columns(wide_qd, smooth["qdd"][:, j], speed)
+            columns_j = sosfiltfilt(sos, rough, axis=0)[inner]
+            # The rotor's column is filtered once already, as the links' inertia is.
+            columns_j[:, -1] = smooth["qdd"][inner, j]
+            drive.append(columns_j)
+        part = {name: values[inner].copy() for name, values in smooth.items()}
+        part["drive"] = np.stack(drive, axis=1)
         part["t"], part["segment"] = t[inner], np.full(len(t[inner]), number)
         kept.append(part)
     if not kept:
