@@ -140,7 +140,8 @@ def mistake_causes(problem: WeightedProblem) -> list[Cause]:
             rests[k] = scale * (coarse.weighted(coarse.signals.tau - torque) ** 2).sum()
     causes: list[Cause] = []
     seen: list[float] = []
-    for k in np.argsort(rests, kind="stable"):
+    # Of those that leave the same, to rounding, the earlier in the list of mistakes first.
+    for k in sorted(range(len(tried)), key=lambda k: (float(f"{rests[k]:.8e}"), k)):
         mistake, how, i, repaired = tried[k]
         residual = problem.weighted(problem.signals.tau - model_torque(repaired, problem.signals))
         rest = float(residual @ residual)

@@ -61,7 +61,11 @@ def summarize_log(c: RecordingComparison) -> tuple[str, ...]:
             "and neither one link's numbers nor a known mistake in them."
         )
     elif c.remarks:
-        lines.append(f"Within the floor's margin, yet clear: {cause_in_words(c.remarks[0], c)}.")
+        first, *others = c.remarks
+        or_another = f", or as well {cause_in_words(others[0], c)}" if others else ""
+        lines.append(
+            f"Within the floor's margin, yet clear: {cause_in_words(first, c)}{or_another}."
+        )
     lines += _other_recordings(c)
     for rival in c.rivals:
         better = "better" if rival.difference > 0.0 else "worse"
