@@ -63,6 +63,16 @@ CALLS = [
             "arguments": {"number": 3},
         },
     ),
+    (
+        ur5check.compare_recording,
+        {"model": ARM, "files": "run.csv"},
+        {
+            "model": NOT_ARMS,
+            "files": {"number": 3, "list": [1], "nothing": [], "no such file": "none.csv"},
+            "options": NOT_OBJECTS,
+            "friction": NOT_OBJECTS,
+        },
+    ),
     (ur5check.RobotTree.of, {"robot": ROBOT}, {"robot": {**NOT_OBJECTS, "arm": ARM}}),
     (
         ur5check.forward_kinematics,

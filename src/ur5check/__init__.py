@@ -59,6 +59,9 @@ if TYPE_CHECKING:
     from ._io.example_robots import FLEET as EXAMPLE_ROBOTS
     from ._io.loading import load
     from ._io.robot_loading import load_robot
+    from ._logs.comparison import compare_recording
+    from ._logs.friction import FrictionModel
+    from ._logs.options import RecordingOptions
     from ._paper.cases import case as paper_case
     from ._paper.figures.case_figure import draw_case
     from ._paper.figures.case_overview import draw_overview
@@ -93,6 +96,7 @@ _DEFINED_IN = {
     "ComputedTorque": "._simulation.control.computed_torque",
     "EXAMPLE_ROBOTS": "._io.example_robots:FLEET",
     "EngineError": "._errors",
+    "FrictionModel": "._logs.friction",
     "FeedbackLaw": "._simulation.control.feedback_law",
     "Finding": "._finding",
     "Gains": "._simulation.control.gains",
@@ -102,6 +106,7 @@ _DEFINED_IN = {
     "Limits": "._robot.serial_arm",
     "Link": "._robot.serial_arm",
     "ModelError": "._errors",
+    "RecordingOptions": "._logs.options",
     "PARAMETERS": "._robot.inertia",
     "Place": "._finding",
     "Quintic": "._simulation.control.trajectory",
@@ -118,6 +123,7 @@ _DEFINED_IN = {
     "attribute_by_term": "._comparison.attribution_detail:by_term",
     "compare_engines": "._engines.audit.engine_comparison",
     "compare_fleet": "._engines.audit.fleet_comparison",
+    "compare_recording": "._logs.comparison",
     "compile": "._dynamics.compiled.kernel",
     "compile_difference": "._dynamics.compiled.kernel",
     "contribution_in_words": "._reports.difference_summary",
@@ -180,6 +186,7 @@ __all__ = [
     "EngineError",
     "FeedbackLaw",
     "Finding",
+    "FrictionModel",
     "Gains",
     "Inertia",
     "InputError",
@@ -189,6 +196,7 @@ __all__ = [
     "ModelError",
     "Place",
     "Quintic",
+    "RecordingOptions",
     "Robot",
     "RobotTree",
     "SerialArm",
@@ -203,6 +211,7 @@ __all__ = [
     "attribute_by_term",
     "compare_engines",
     "compare_fleet",
+    "compare_recording",
     "compile",
     "compile_difference",
     "contribution_in_words",

@@ -1,8 +1,8 @@
 """The types of the results that ur5check's functions return, for annotations and `isinstance`.
 
 Those with a report (`Difference`, `Explanation`, `Validation`, `EngineReport`, `FleetReport`,
-`Sweep`, `Reproduction`, `StaticHold`) have `verdict`, `summary()`, `to_text()` and `to_json()`, and
-show themselves in a notebook.
+`Sweep`, `Reproduction`, `StaticHold`, `RecordingComparison`) have `verdict`, `summary()`,
+`to_text()` and `to_json()`, and show themselves in a notebook.
 """
 
 from ._comparison.alignment import Alignment
@@ -27,6 +27,7 @@ from ._engines.audit.engine_comparison import EngineReport, Stage
 from ._engines.audit.engine_reading import Reading
 from ._engines.audit.fleet_comparison import FleetReport
 from ._engines.engine import Engine, ReferenceEngine, Stepper
+from ._logs.comparison import RecordingComparison
 from ._paper.reproduction import Reproduction
 from ._result import Result
 from ._robot.robot import Robot
@@ -65,6 +66,7 @@ __all__ = [
     "PairValidation",
     "Program",
     "Reading",
+    "RecordingComparison",
     "ReferenceEngine",
     "Reproduction",
     "Result",

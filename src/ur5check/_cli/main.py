@@ -28,6 +28,7 @@ COMMANDS = {
     "validate": "check models: inertias, laws of dynamics, agreement with Pinocchio",
     "diff": "compare two models: torque difference, wrong parameters, mistakes",
     "engines": "compare what Pinocchio, MuJoCo, Drake, DART and iDynTree import",
+    "log": "compare a model with a recording of the robot",
     "rules": "the rules that validate applies; ur5check rules ID explains one",
     "show": "print a model's joints, geometry and inertias",
     "sweep": "compare two models at millions of states",

@@ -17,6 +17,7 @@ from .engines_fleet_json import EnginesFleetReport
 from .engines_json import EnginesReport
 from .engines_list_json import EnginesListReport
 from .json_report import Report
+from .log_json import LogReport
 from .paper_json import PaperReport
 from .show_json import ShowReport
 from .simulate_json import SimulateReport
@@ -32,6 +33,7 @@ REPORTS: tuple[type[Report], ...] = (
     EnginesReport,
     EnginesFleetReport,
     EnginesListReport,
+    LogReport,
     PaperReport,
     DeriveReport,
     SweepReport,

@@ -18,6 +18,7 @@ _REPORTS = {
     "EngineReport": "engines",
     "Explanation": "diff",
     "FleetReport": "engines_fleet",
+    "RecordingComparison": "log",
     "Reproduction": "paper",
     "StaticHold": "simulate",
     "Sweep": "sweep",

@@ -166,6 +166,7 @@ def identify(
     seed: int = 0,
     gravity: ArrayLike | None = None,
     frame: Literal["link", "source"] = "link",
+    rotors: bool = False,
 ) -> Identifiability:
     """The base parameters of an arm.  Its inertias play no part, only geometry and gravity.
 
@@ -180,6 +181,9 @@ def identify(
     frame : {"link", "source"}
         Parameters in the frames i, as `SerialArm.parameters` has them, or in the frames in which
         the arm's own file writes them (for a URDF those at the joints).
+    rotors : bool
+        Whether motor inertias are unknown too: what has the same torques as one of them is then
+        not identifiable.
 
     Returns
     -------
@@ -204,7 +208,11 @@ def identify(
     arm = as_arm(arm)
     choice("frame", frame, ("link", "source"))
     states = random_states(arm.n, 40 + 40 * arm.n, seed)
-    Y = torque_regressor(arm, states.q, states.qd, states.qdd, gravity).reshape(-1, 10 * arm.n)
+    Y = torque_regressor(arm, states.q, states.qd, states.qdd, gravity)
+    if rotors:
+        for j, qdd in enumerate(states.qdd.T):
+            Y[:, j] -= np.outer(qdd, qdd @ Y[:, j]) / (qdd @ qdd)
+    Y = Y.reshape(-1, 10 * arm.n)
     if frame == "source":
         for block, link in zip(np.split(Y, arm.n, axis=1), arm.links, strict=True):
             block[:] = block @ parameter_map(link.source_frame)

@@ -1,0 +1,1 @@
+"""Recordings of real robots: read, filtered, and compared with a model."""
