@@ -31,6 +31,7 @@ from .output import check_output, emit, format_of, rendered
 if TYPE_CHECKING:
     from .._comparison.diagnosis.diagnosis import Diagnosis
     from .._comparison.difference import Difference
+    from .._io.robot_limbs import Limbs
 
 __all__ = ["EXAMPLES", "add_options", "run"]
 
@@ -100,6 +101,9 @@ def run(args: argparse.Namespace) -> int:
     try:
         arms = options.load(quiet=args.quiet, strict=False)
     except ModelError as error:
+        limbs = _limbs(options)
+        if limbs is not None:
+            return _compare_limbs(args, *limbs)
         if error.line is None and error.rule == ModelError.UNSPECIFIED:
             raise  # a file that is not there, a choice of chains: nothing that a file says
         progress(False, f"error: {' '.join(str(error).split())}")
@@ -127,6 +131,54 @@ def run(args: argparse.Namespace) -> int:
         repair(d, diagnosis, args.repair, say)
     emit(text, args.output)
     return 0 if d.agrees and not any(d.faults.values()) else 1
+
+
+def _limbs(options: ModelOptions) -> tuple[Limbs, Limbs] | None:
+    """Of two files with several chains each, none of which was asked for."""
+    from .._io.robot_limbs import read_limbs
+
+    if any(value is not None for chain in options.chains for value in chain.values()):
+        return None
+    found = [
+        read_limbs(model, packages=options.packages, arguments=options.arguments_of(model))
+        for model in options.models
+    ]
+    return (found[0], found[1]) if found[0] is not None and found[1] is not None else None
+
+
+def _compare_limbs(args: argparse.Namespace, a: Limbs, b: Limbs) -> int:
+    """Limb by limb; nothing is explained."""
+    from .._comparison.limb_comparison import compare_limbs
+    from .._reports.limbs_document import limbs_document, limbs_text
+
+    for option in ("repair", "acceleration", "uncertainty"):
+        if getattr(args, option) is not None:
+            raise UsageError(f"--{option} is for one arm; choose it with --tip-a and --tip-b")
+    _check_outputs(args, (Path(name) for limbs in (a, b) for name, _ in limbs.robot.inputs))
+    c = compare_limbs(
+        a,
+        b,
+        samples=args.samples,
+        seed=args.seed,
+        gravity=args.gravity,
+        tolerance=args.tolerance,
+        progress=lambda line: progress(args.quiet, line),
+    )
+    command = command_line("diff", args, (args.a, args.b))
+    form = format_of(args.format, args.output)
+    if form.name == "text" and args.output is None and not args.full:
+        text = limbs_text(c)
+    else:
+        from .._reports.limbs_json import limbs_json
+
+        text = rendered(
+            form,
+            args.output,
+            document=lambda: limbs_document(c, command=command),
+            report=lambda: limbs_json(c, command=command),
+        )
+    emit(text, args.output)
+    return 0 if c.agrees else 1
 
 
 def _report(
