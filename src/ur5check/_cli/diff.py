@@ -41,6 +41,7 @@ from .report_output import (
 if TYPE_CHECKING:
     from .._comparison.diagnosis.diagnosis import Diagnosis
     from .._comparison.difference import Difference
+    from .._io.robot_limbs import Limbs
     from .._reports.document import Document
     from .._reports.report_formats import Target
     from .._validation.revision_change import RevisionChange
@@ -134,6 +135,9 @@ def run(args: argparse.Namespace) -> int:
 
             arms, change = arms_and_change(args.against_git, options, say)
     except ModelError as error:
+        limbs = _limbs(options) if args.against_git is None else None
+        if limbs is not None:
+            return _compare_limbs(args, *limbs)
         if error.line is None and error.rule == ModelError.UNSPECIFIED:
             raise  # a file that is not there, a choice of chains: nothing that a file says
         progress(False, f"error: {' '.join(str(error).split())}")
@@ -160,6 +164,53 @@ def run(args: argparse.Namespace) -> int:
     write_reports(args, contents)
     new = change is not None and bool(change.new)
     return 0 if d.agrees and not any(d.faults.values()) and not new else 1
+
+
+def _limbs(options: ModelOptions) -> tuple[Limbs, Limbs] | None:
+    """Of two files with several chains each, none of which was asked for."""
+    from .._io.robot_limbs import read_limbs
+
+    if any(value is not None for chain in options.chains for value in chain.values()):
+        return None
+    found = [
+        read_limbs(model, packages=options.packages, arguments=options.arguments_of(model))
+        for model in options.models
+    ]
+    return (found[0], found[1]) if found[0] is not None and found[1] is not None else None
+
+
+def _compare_limbs(args: argparse.Namespace, a: Limbs, b: Limbs) -> int:
+    """Limb by limb; nothing is explained."""
+    from .._comparison.limb_comparison import compare_limbs
+    from .._reports.limbs_document import limbs_document, limbs_text
+    from .._reports.limbs_json import limbs_json
+    from .._reports.terminal import render_text
+
+    for option in ("repair", "acceleration", "uncertainty"):
+        if getattr(args, option) is not None:
+            raise UsageError(f"--{option} is for one arm; choose it with --tip-a and --tip-b")
+    _check_outputs(args, (Path(name) for limbs in (a, b) for name, _ in limbs.robot.inputs))
+    c = compare_limbs(
+        a,
+        b,
+        samples=args.samples,
+        seed=args.seed,
+        gravity=args.gravity,
+        tolerance=args.tolerance,
+        progress=lambda line: progress(args.quiet, line),
+    )
+    command = _command(args, None)
+
+    def document(target: Target) -> Document:
+        return limbs_document(c, command=command)
+
+    def text(target: Target) -> str:
+        if not args.full and target.file is None:
+            return limbs_text(c)
+        return render_text(document(target), width=target.width, colour=target.colour)
+
+    write_reports(args, Contents(document, lambda: limbs_json(c, command=command), text))
+    return 0 if c.agrees else 1
 
 
 def _contents(

@@ -146,11 +146,14 @@ class ModelOptions:
         arms = []
         for model, chain in zip(self.models, self.chains, strict=True):
             progress(quiet, f"reading {model}")
-            arguments = self.arguments if _is_xacro(model) else None
-            arms.append(
-                load(model, **chain, packages=self.packages, arguments=arguments, strict=strict)
-            )
+            arguments = self.arguments_of(model)
+            packages = self.packages
+            arms.append(load(model, **chain, packages=packages, arguments=arguments, strict=strict))
         return arms
+
+    def arguments_of(self, model: str) -> dict[str, str] | None:
+        """Arguments for a xacro; None for another file."""
+        return self.arguments if _is_xacro(model) else None
 
     def load_arm_or_tree(self, *, whole: bool, quiet: bool) -> ArmOrTree:
         """The arm of the only model, or the whole robot (see `_io.arm_or_tree`)."""
@@ -158,7 +161,7 @@ class ModelOptions:
 
         (model,), (chain,) = self.models, self.chains
         progress(quiet, f"reading {model}")
-        arguments = self.arguments if _is_xacro(model) else None
+        arguments = self.arguments_of(model)
         packages = self.packages
         return load_arm_or_tree(model, whole=whole, **chain, packages=packages, arguments=arguments)
 

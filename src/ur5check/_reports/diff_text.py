@@ -123,8 +123,8 @@ def _written(numbers: tuple[str, ...]) -> list[str]:
     lines = []
     for number in numbers[:2]:
         place, _, said = number.partition(": ")
-        room = _WIDTH - _TAG - len(said) - 2
-        lines += _tagged("", f"{_ending(place, max(room, _SHORT))}: {said}", 2)
+        left = _WIDTH - _TAG - len(said) - 2
+        lines += _tagged("", f"{_ending(place, max(left, _SHORT))}: {said}", 2)
     if len(numbers) > 2:
         lines[-1] = f"{lines[-1]}; {len(numbers) - 2} more"
         lines[-1] = lines[-1] if len(lines[-1]) <= _WIDTH else f"{lines[-1][: _WIDTH - 1]}…"

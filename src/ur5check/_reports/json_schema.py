@@ -17,6 +17,7 @@ from .engines_fleet_json import EnginesFleetReport
 from .engines_json import EnginesReport
 from .engines_list_json import EnginesListReport
 from .json_report import Report
+from .limbs_json import LimbsReport
 from .log_json import LogReport
 from .paper_json import PaperReport
 from .show_json import ShowReport
@@ -30,6 +31,7 @@ __all__ = ["REPORTS", "schema", "schema_text"]
 REPORTS: tuple[type[Report], ...] = (
     ValidateReport,
     DiffReport,
+    LimbsReport,
     EnginesReport,
     EnginesFleetReport,
     EnginesListReport,
