@@ -245,8 +245,8 @@ def compare_large(file: Path) -> tuple[float, float, float]:
 _INTERVALS = """
 Intervals are too narrow: they should hold the truth in 92 to 98 %. MuJoCo's dry friction sticks
 while a joint reverses and is then no function of velocity; what a fit cannot follow there is alike
-in every block of time, so that the scatter between blocks does not show it. In a run without Coulomb
-friction 32 of 34 base parameters lay in their intervals.
+in every block of time, so that the scatter between blocks does not show it. In a run without
+Coulomb friction 32 of 34 base parameters lay in their intervals.
 """
 
 
