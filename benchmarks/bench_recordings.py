@@ -242,6 +242,14 @@ def compare_large(file: Path) -> tuple[float, float, float]:
     return time.perf_counter() - begin, time.process_time() - busy, memory
 
 
+_INTERVALS = """
+Intervals are too narrow: they should hold the truth in 92 to 98 %. MuJoCo's dry friction sticks
+while a joint reverses and is then no function of velocity; what a fit cannot follow there is alike
+in every block of time, so that the scatter between blocks does not show it. In a run without
+Coulomb friction 32 of 34 base parameters lay in their intervals.
+"""
+
+
 def page_of(outcomes: list[Outcome], size: tuple[int, float, float, float] | None) -> str:
     """The page docs/recordings-benchmark.md."""
     honest = [o for o in outcomes if o.kind in HONEST]
@@ -254,7 +262,7 @@ def page_of(outcomes: list[Outcome], size: tuple[int, float, float, float] | Non
         f"{len(outcomes)} recordings of robots simulated by MuJoCo ({', '.join(ARMS)}), "
         f"{len(honest)} of them honest;",
         f"{DURATION:g} s at 125 Hz, friction, rotor inertia and 1 % noise of every torque. Each",
-        "has a seed of its own that was not used while thresholds were set.",
+        "has a seed of its own; only seed 1 was looked at while thresholds were set.",
         "",
         "| what | runs | result |",
         "|---|---|---|",
@@ -296,7 +304,7 @@ def page_of(outcomes: list[Outcome], size: tuple[int, float, float, float] | Non
             f"| a recording of {count:,} samples | 1 | {busy:.0f} s of the processor "
             f"({seconds:.0f} s on the clock of a busy machine), {memory:.2f} GB |"
         )
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines) + "\n" + _INTERVALS
 
 
 def main() -> int:
