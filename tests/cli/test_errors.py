@@ -17,14 +17,15 @@ if TYPE_CHECKING:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        ((), "COMMAND; see `ur5check --help`"),
-        (("dif",), "invalid choice: 'dif'"),
+        (("dif",), "no command is called 'dif'; did you mean 'diff'?"),
+        (("--completion", "fish"), "--completion takes one of bash, zsh, tcsh"),
+        (("--no-such-option",), "see `ur5check --help`"),
         (("diff", "paper"), "required: B; see `ur5check diff --help`"),
         (("validate", "--sample", "3"), "unrecognized arguments: --sample"),
         (("validate", "papr"), "did you mean 'paper'?"),
         (("validate", "no/such.urdf"), "no such file"),
         (("validate", "--samples", "0"), "samples must be a whole number of at least 1, not 0"),
-        (("validate", "--samples", "many"), "invalid int value: 'many'"),
+        (("validate", "--samples", "many"), "'many' is not a whole number"),
         (("validate", "--seed", "-1"), "seed must be a whole number of at least 0, not -1"),
         (("diff", "paper", "appendix", "--gravity", "0", "0", "nan"), "three finite numbers"),
         (("diff", "paper", "appendix", "--gravity", "0", "0"), "expected 3 arguments"),

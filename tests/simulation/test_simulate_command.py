@@ -98,7 +98,7 @@ def test_the_picture_is_drawn(simulate, tmp_path, suffix):
         (("--plant", "apendix"), "did you mean 'appendix'"),
         (("--figure", "drift.gif"), "is drawn as .svg or .png"),
         (("--figure", "no/such/drift.svg"), "there is no folder"),
-        (("--figure", "a.svg", "-o", "a.svg"), "name another file"),
+        (("--figure", "a.svg", "--format", "text", "-o", "a.svg"), "name another file"),
     ],
 )
 def test_one_line_says_what_is_wrong(simulate, arguments, said, tmp_path, monkeypatch):

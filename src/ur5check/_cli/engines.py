@@ -20,6 +20,7 @@ from .options import (
     ModelOptions,
     add_model_options,
     command_line,
+    count,
     progress,
 )
 from .report_output import add_report_options, check_reports, write_reports
@@ -72,7 +73,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--samples",
-        type=int,
+        type=count,
         metavar="N",
         help="number of random states (default: 200; 20 with --fleet)",
     )

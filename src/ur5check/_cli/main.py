@@ -18,7 +18,7 @@ import traceback
 from collections.abc import Sequence
 from importlib import import_module
 
-from .._errors import Ur5checkError
+from .._errors import Ur5checkError, UsageError
 from .._version import __version__
 from .parser import Parser
 
@@ -59,6 +59,19 @@ examples:
 """
 
 
+_GREETING = """\
+ur5check finds the wrong numbers in a robot arm's dynamics model.
+
+  ur5check validate my_arm.urdf         what is wrong in a model, and where
+  ur5check diff vendor.urdf mine.urdf   which numbers differ, in newton metres
+  ur5check engines my_arm.urdf          what physics engines import from it
+  ur5check show my_arm.urdf             joints, geometry, inertias as read
+  ur5check rules                        what validate asks of a model
+
+`ur5check --help` lists all commands, `ur5check COMMAND --help` its options.
+"""
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
     for stream in (sys.stdout, sys.stderr):
@@ -88,8 +101,16 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(argv: list[str]) -> int:
-    parser = _parser()
-    command = parser.parse_args(argv[:1]).command
+    if not argv:
+        print(_GREETING, end="")  # noqa: T201
+        return 0
+    if argv[0] == "--completion":
+        return _completion(argv[1:])
+    if not argv[0].startswith("-") and argv[0] not in COMMANDS:
+        from .._io.suggestions import did_you_mean
+
+        raise UsageError(f"no command is called {argv[0]!r}; {did_you_mean(argv[0], COMMANDS)}")
+    command = _parser().parse_args(argv[:1]).command
     module = import_module(f".{command}", __package__)
     own = Parser(
         prog=f"ur5check {command}",
@@ -101,16 +122,30 @@ def _run(argv: list[str]) -> int:
     return code
 
 
+def _completion(words: list[str]) -> int:
+    from .completion import SHELLS, completion_script
+
+    if len(words) != 1 or words[0] not in SHELLS:
+        raise UsageError(f"--completion takes one of {', '.join(SHELLS)}")
+    print(completion_script(words[0], COMMANDS))  # noqa: T201
+    return 0
+
+
 def _parser() -> argparse.ArgumentParser:
     listed = "\n".join(f"  {name:10}{text}" for name, text in COMMANDS.items())
     parser = Parser(
         prog="ur5check",
-        usage="ur5check [--help] [--version] COMMAND …",
+        usage="ur5check [--help] [--version] [--completion SHELL] COMMAND …",
         description=_DESCRIPTION.format(commands=listed),
         epilog=_EXAMPLES,
     )
     parser.add_argument("command", choices=COMMANDS, metavar="COMMAND", help=argparse.SUPPRESS)
     parser.add_argument("--version", action="version", version=f"ur5check {__version__}")
+    parser.add_argument(
+        "--completion",
+        metavar="SHELL",
+        help="print a script that completes commands in bash, zsh or tcsh",
+    )
     return parser
 
 

@@ -28,6 +28,7 @@ __all__ = [
     "add_state_options",
     "chain_options",
     "command_line",
+    "count",
     "name_value_pairs",
     "progress",
 ]
@@ -57,7 +58,7 @@ def add_state_options(parser: argparse.ArgumentParser, *, many: bool = False) ->
     """
     parser.add_argument(
         "--samples",
-        type=int,
+        type=count,
         default=None if many else 10_000,
         metavar="N",
         help="number of random states "
@@ -174,6 +175,17 @@ class ModelOptions:
             for model, arm in zip(self.models, arms, strict=True)
             for file in input_files(model, arm.source.inputs, self.packages)
         ]
+
+
+def count(text: str) -> int:
+    """`1e8`, `100000000` or `100_000_000`."""
+    try:
+        value = float(text)
+        if value == int(value):
+            return int(text) if text.lstrip("+-").replace("_", "").isdecimal() else int(value)
+    except (ValueError, OverflowError):
+        pass
+    raise argparse.ArgumentTypeError(f"{text!r} is not a whole number; write 1e8 or 100000000")
 
 
 def chain_options(args: argparse.Namespace, count: int) -> tuple[ChainOptions, ...]:

@@ -22,6 +22,7 @@ from .options import (
     ModelOptions,
     add_model_options,
     command_line,
+    count,
     progress,
 )
 from .output import check_output
@@ -44,7 +45,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("b", metavar="B", help="the model that is compared with it")
     what = parser.add_argument_group("states")
     what.add_argument(
-        "--states", type=_count, metavar="N", help="number of states (default: 1e6; of a log: all)"
+        "--states", type=count, metavar="N", help="number of states (default: 1e6; of a log: all)"
     )
     what.add_argument(
         "--sample",
@@ -145,24 +146,13 @@ def run(args: argparse.Namespace) -> int:
     return 0 if found.agrees else 1
 
 
-def _count(text: str) -> int:
-    """`1e8`, `100000000` or `100_000_000`."""
-    try:
-        value = float(text)
-        if value == int(value):
-            return int(text) if text.lstrip("+-").replace("_", "").isdecimal() else int(value)
-    except (ValueError, OverflowError):
-        pass
-    raise argparse.ArgumentTypeError(f"{text!r} is not a whole number; write 1e8 or 100000000")
-
-
-def _command(args: argparse.Namespace, models: tuple[str, ...], count: int) -> str:
+def _command(args: argparse.Namespace, models: tuple[str, ...], states: int) -> str:
     """The command of this report, without options that change no digit."""
     from .._sweep.state_log import is_log
 
     words = [command_line("sweep", args, models), "--sample", shlex.quote(args.sample)]
     if not is_log(args.sample):
-        words += ["--states", str(count)]
+        words += ["--states", str(states)]
     if args.within_limits:
         words.append("--within-limits")
     if args.tolerance is not None:

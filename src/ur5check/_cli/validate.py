@@ -60,11 +60,17 @@ _SAMPLES, _SAMPLES_OF_MANY = 1_000, 100
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What `validate` takes."""
     parser.add_argument(
-        "models", nargs="*", metavar="MODEL", help="models, or folders (default: paper appendix)"
+        "models",
+        nargs="*",
+        metavar="MODEL",
+        help="models, folders or patterns (default: paper appendix)",
     )
     parser.add_argument("--full", action="store_true", help="show all findings and all tables")
     parser.add_argument(
         "--against", metavar="MODEL", help="compare each model's torques with this one's"
+    )
+    parser.add_argument(
+        "--each", action="store_true", help="judge each by itself: do not compare two models"
     )
     parser.add_argument(
         "--fail-level",
@@ -118,7 +124,9 @@ def run(args: argparse.Namespace) -> int:
     paper = not args.models
     models = ["paper", "appendix"] if paper else files_under(args.models)
     if not models:
-        raise UsageError(f"{', '.join(args.models)}: no .urdf or .urdf.xacro file is in there")
+        raise UsageError(
+            f"{', '.join(args.models)}: no file is there, no .urdf or .urdf.xacro in a folder"
+        )
     if args.config is not None:
         configuration = read_configuration(Path(args.config))
     elif paper:
@@ -152,7 +160,9 @@ def run(args: argparse.Namespace) -> int:
         asked = replace(_requests(args, models)[0], model=args.against, hold=())
         asked = replace(asked, base=None, tip=None, arm=None).with_settings(configuration)
         (reference,) = verdicts([asked], configuration, args.fail_level, progress=say)
-    verdict_set = compare_verdicts(results, reference, configuration, progress=say)
+    verdict_set = compare_verdicts(
+        results, reference, configuration, pair=paper or _two_named(args), progress=say
+    )
     read = [(j.model, j.robot) for j in verdict_set.read]
     check_reports(
         args,
@@ -192,6 +202,15 @@ def _against_baseline(
         count = f"{len(gone)} of its findings no longer occur"
         progress(args.quiet, f"{args.baseline}: {count}; --update-baseline takes them out")
     return with_baseline(verdicts, baseline)
+
+
+def _two_named(args: argparse.Namespace) -> bool:
+    """Whether two models are compared: two files that are named, not two found in a folder."""
+    return (
+        not args.each
+        and len(args.models) == 2
+        and not any(Path(name).is_dir() for name in args.models)
+    )
 
 
 def _requests(args: argparse.Namespace, models: list[str]) -> list[Request]:
@@ -243,6 +262,7 @@ def _command(args: argparse.Namespace) -> str:
     words += ["--payload", repr(args.payload)]
     words += ["--engines", args.engines] if args.engines else []
     words += [f"--hold {shlex.quote(held)}" for held in args.hold]
+    words += ["--each"] * args.each
     return " ".join(words + ["--no-meshes"] * args.no_meshes)
 
 

@@ -10,6 +10,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
+from glob import glob, has_magic
 from pathlib import Path
 
 from .._comparison.difference import Difference
@@ -112,13 +113,16 @@ class Verdict:
 
 
 def files_under(paths: Sequence[str]) -> list[str]:
-    """The models that paths stand for: a folder for the descriptions in it, sorted."""
+    """The models that paths stand for: a folder or a pattern for the files in it, sorted."""
     found: list[str] = []
     for path in paths:
         folder = Path(path)
         if folder.is_dir():
             inside = {str(file) for pattern in _PATTERNS for file in folder.rglob(pattern)}
             found += sorted(inside)
+        elif has_magic(path) and not folder.exists():
+            matching = glob(path, recursive=True)  # noqa: PTH207 - absolute patterns too
+            found += sorted(name for name in matching if Path(name).is_file())
         else:
             found.append(path)
     return found
@@ -204,16 +208,18 @@ def compare_verdicts(
     reference: Verdict | None,
     configuration: Configuration,
     *,
+    pair: bool = True,
     progress: Callable[[str], None] | None = None,
 ) -> VerdictSet:
     """Each model compared with the reference; without one, two models with each other.
 
+    pair : whether two models are meant to be compared
     Samples and seed are those of the judgements.
     """
     if reference is not None:
         others = [(reference, v) for v in models if v.judgement.file != reference.judgement.file]
     else:
-        others = [(models[0], models[1])] if len(models) == 2 else []
+        others = [(models[0], models[1])] if pair and len(models) == 2 else []
     pairs = []
     for a, b in others:
         if progress is not None:
