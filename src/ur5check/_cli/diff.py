@@ -197,6 +197,7 @@ def _compare_limbs(args: argparse.Namespace, a: Limbs, b: Limbs) -> int:
         seed=args.seed,
         gravity=args.gravity,
         tolerance=args.tolerance,
+        as_written=args.as_written,
         progress=lambda line: progress(args.quiet, line),
     )
     command = _command(args, None)

@@ -56,6 +56,7 @@ def compare_limbs(
     seed: int,
     gravity: ArrayLike | None = None,
     tolerance: float | str | None = None,
+    as_written: bool = False,
     progress: Callable[[str], None],
 ) -> LimbComparison:
     """`diff` of every limb that both have."""
@@ -77,6 +78,7 @@ def compare_limbs(
                     seed=seed,
                     gravity=gravity,
                     tolerance=tolerance,
+                    as_written=as_written,
                 )
             except InputError as error:
                 problems = [str(error)]

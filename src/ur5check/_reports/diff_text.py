@@ -11,12 +11,14 @@ import textwrap
 import numpy as np
 
 from .._comparison.causes import Causes
-from .._comparison.difference import SAME_TORQUE, Difference
+from .._comparison.difference import SAME_BUT_FOR_DIGITS, SAME_TORQUE, Difference
 from .diff_sections.stated_uncertainty import uncertainty_in_words
 from .difference_summary import (
     contributions_in_words,
+    geometry_in_words,
     others_in_words,
-    summarize,
+    rounding_in_words,
+    verdict_in_words,
 )
 from .explanation_summary import removed
 from .mistake_sentences import details, sentence
@@ -45,7 +47,7 @@ def diff_text(
     causes : None where none were looked for;  asked_tolerance : whether the user gave it
     since_commit : what else a commit changed, in sentences
     """
-    verdict, geometry, *_ = summarize(d)
+    verdict, geometry = verdict_in_words(d), geometry_in_words(d)
     word = "AGREE" if d.agrees else "DIFFER"
     head = textwrap.wrap(f"{word}  {verdict}", _WIDTH, subsequent_indent=" " * (len(word) + 2))
     foot = _foot(d, causes, geometry, asked_tolerance)
@@ -93,6 +95,7 @@ def _wrong(d: Difference, causes: Causes | None) -> list[str]:
     for fault in (fault for faults in d.faults.values() for fault in faults):
         at = _ending(str(fault.place), _WIDTH - _TAG - 8)
         lines += _tagged("impossible", f"{at} {fault.rule} {fault.subject}: {fault.message}", 3)
+    lines += [line for said in rounding_in_words(d) for line in _tagged("rounded", said, 2)]
     if causes is None or d.same_torques:
         return lines
     diagnosis = causes.diagnosis
@@ -198,7 +201,8 @@ def _worst(d: Difference, causes: Causes) -> list[str]:
 def _tolerance(d: Difference, asked: bool) -> str:
     bounds = sorted({figures(float(value)) for value in d.tolerance}, key=float)
     within = bounds[0] if len(bounds) == 1 else f"{bounds[0]} to {bounds[-1]}"
-    why = "as asked" if asked else f"{SAME_TORQUE:.0e} of the largest torque".replace("e-0", "e-")
+    part = SAME_BUT_FOR_DIGITS if d.rounding_explains else SAME_TORQUE
+    why = "as asked" if asked else f"{part:.0e} of the largest torque".replace("e-0", "e-")
     return (
         f"within {within} N m ({why}), over {len(d.states):,} random states; "
         "--full shows all tables"

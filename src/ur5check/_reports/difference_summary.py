@@ -21,8 +21,10 @@ __all__ = [
     "base_in_words",
     "contribution_in_words",
     "contributions_in_words",
+    "geometry_in_words",
     "rounding_in_words",
     "summarize",
+    "verdict_in_words",
 ]
 
 _WORTH_A_WORD = 0.02  # of the mean square difference: smaller contributions are in the table only
@@ -31,7 +33,11 @@ _STANDS_OUT = 3.0  # principal moments further apart than this are named
 
 def summarize(difference: Difference) -> tuple[str, ...]:
     """Three to six sentences: verdict, geometry, gravity, attribution, outliers, residual."""
-    sentences = [_verdict(difference), *rounding_in_words(difference), _geometry(difference)]
+    sentences = [
+        verdict_in_words(difference),
+        *rounding_in_words(difference),
+        geometry_in_words(difference),
+    ]
     if not difference.same_torques:
         sentences += [
             _gravity(difference),
@@ -88,7 +94,8 @@ def contribution_in_words(contribution: Contribution) -> str:
     )
 
 
-def _verdict(d: Difference) -> str:
+def verdict_in_words(d: Difference) -> str:
+    """The first sentence."""
     a, b = d.pair.a.label, d.pair.b.label
     what, kind = "dynamics", "torques"
     if d.gravity_only:
@@ -120,7 +127,8 @@ def rounding_in_words(d: Difference) -> tuple[str, ...]:
     )
 
 
-def _geometry(d: Difference) -> str:
+def geometry_in_words(d: Difference) -> str:
+    """Whether the axes coincide, and how b was brought there."""
     alignment = d.pair.alignment
     if not alignment.exact:
         return f"Different geometry: {_unequal_reach(d)}."
