@@ -115,7 +115,9 @@ def _wrong(d: Difference, causes: Causes | None) -> list[str]:
         for mismatch, name in zip(unexplained, names, strict=True):
             lines += _tagged("unexplained", f"{name}: no known mistake", 2)
             lines += _written(numbers_of_mismatch(mismatch, d))
-    if diagnosis.mistakes and diagnosis.unexplained:
+    if diagnosis.unexplained and any(
+        removed(found, diagnosis) > _WORTH_A_LINE for found in diagnosis.mistakes
+    ):
         left = f"{diagnosis.after:.2g} of {diagnosis.before:.3g} N m RMS after these repairs"
         lines += _tagged("remains", left)
     return lines
