@@ -11,6 +11,7 @@ units of machine precision are added for the eigenvalue solver.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -73,7 +74,7 @@ class BodyTest:
     moment_tolerance: float
     margin_tolerance: float
 
-    @property
+    @cached_property
     def largest(self) -> float:
         """The largest principal moment, without its sign [kg m²]."""
         return float(np.abs(self.moments).max())

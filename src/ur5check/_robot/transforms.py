@@ -180,6 +180,8 @@ class Transform:
             For another shape, or entries that are not finite numbers.
         """
         roll, pitch, yaw = frozen(rpy, (3,), "rpy").tolist()
+        if roll == pitch == yaw == 0.0:  # most origins; files of 20,000 links are read too
+            return cls(np.eye(3), frozen(xyz, (3,), "xyz"))
         R = (
             cls.rotation((0, 0, 1), yaw)
             @ cls.rotation((0, 1, 0), pitch)
