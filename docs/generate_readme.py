@@ -10,6 +10,9 @@ import shlex
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
+import ur5check
 from ur5check._cli.main import main
 
 README = Path(__file__).resolve().parents[1] / "README.md"
@@ -18,7 +21,7 @@ BLOCK = re.compile(r"(<!-- output: ur5check (.+?) -->\n```text\n)(.*?)(```\n)", 
 
 def write_example_files(folder: Path) -> None:
     """vendor.urdf and my_arm.urdf: the UR5; mine.urdf: its upper arm's centre of mass mirrored;
-    draft.urdf: the upper arm's tensor in kg mm², a limit in degrees.
+    draft.urdf: the upper arm's tensor in kg mm², a limit in degrees; run.csv: a motion of the UR5.
     """
     main(["expand", "appendix", "--quiet", "-o", str(folder / "vendor.urdf")])
     vendor = (folder / "vendor.urdf").read_text("utf-8")
@@ -30,6 +33,20 @@ def write_example_files(folder: Path) -> None:
     (folder / "draft.urdf").write_text(draft, "utf-8")
     mine = vendor.replace('xyz="0.0 0.0 0.28"', 'xyz="0.0 0.0 -0.28"')
     (folder / "mine.urdf").write_text(mine, "utf-8")
+    _write_recording(folder / "run.csv")
+
+
+def _write_recording(file: Path) -> None:
+    """20 s of sines at 100 Hz, with friction and 1 % of noise."""
+    arm, t = ur5check.load("appendix"), np.arange(0.0, 20.0, 0.01)
+    w = 2.0 * np.pi * np.array([0.10, 0.13, 0.17, 0.19, 0.23, 0.29])
+    q, qd = np.sin(np.outer(t, w)), w * np.cos(np.outer(t, w))
+    tau = ur5check.rnea(arm, q, qd, -(w**2) * q)
+    tau += 3.0 * qd + 2.0 * np.tanh(qd / 0.02)
+    tau += 0.01 * tau.std(axis=0) * np.random.default_rng(0).standard_normal(tau.shape)
+    names = [f"{word}{i}" for word in ("q", "qd", "tau") for i in range(1, 7)]
+    header = ",".join(["t", *names])
+    np.savetxt(file, np.column_stack([t, q, qd, tau]), delimiter=",", header=header, comments="")
 
 
 def summary_of(arguments: list[str]) -> str:

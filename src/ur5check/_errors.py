@@ -81,7 +81,16 @@ class ModelError(InputError):
 
     @classmethod
     def of(cls, finding: Finding) -> ModelError:
-        """A finding as an error, at its first place; its message holds the value already."""
+        """A finding as an error, at its first place; its message holds the value already.
+
+        Parameters
+        ----------
+        finding : Finding
+
+        Returns
+        -------
+        ModelError
+        """
         place = finding.place
         error = cls(
             finding.message,

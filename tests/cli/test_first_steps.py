@@ -51,7 +51,7 @@ def test_colour_of_what_is_piped(
     for variable in ("FORCE_COLOR", "NO_COLOR"):
         monkeypatch.delenv(variable, raising=False)
     monkeypatch.setenv(name, value)
-    said = ur5check("diff", "paper", "appendix", "--quick", "--samples", 20, "--quiet")
+    said = ur5check("diff", "paper", "appendix", "--quick", "--samples", 20, "--quiet", "--full")
     assert ("\x1b[" in said.out) == coloured
 
 

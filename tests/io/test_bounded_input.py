@@ -45,7 +45,7 @@ def test_only_regular_files_of_bounded_size_are_read(tmp_path):
         ("", '<replicate count="100000000"><geom size="1"/></replicate>'),
         ("", 3 * '<replicate count="1000">' + '<geom size="1"/>' + 3 * "</replicate>"),
         ("", '<replicate count="20000"><geom size="1"/></replicate>'),
-        ("", 3 * '<replicate count="900"><geom size="1"/></replicate>'),
+        ("", 9 * '<replicate count="900"><geom size="1"/></replicate>'),
         ("", '<include file="/dev/zero"/>'),
     ],
 )

@@ -15,7 +15,8 @@ def summary(a, b, **options):
 
 
 def test_paper_against_appendix():
-    verdict, geometry, contributions, residual = summary("paper", "appendix")
+    verdict, geometry, contributions, others, residual = summary("paper", "appendix")
+    assert others.startswith("Also different: ")
     assert "different torques" in verdict
     assert "turned by 180° about z" in geometry
     assert "joint angles unchanged" in geometry

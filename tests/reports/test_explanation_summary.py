@@ -19,7 +19,7 @@ def test_the_listing_has_lost_three_signs():
     lines = lines_of("paper-listing", "paper")
     assert "Links 2, 3 and 5 of paper-listing: a sign of the length is lost" in lines[1]
     assert "removes 100% of the difference" in lines[1]
-    assert lines[-1].startswith("Worst state within limits: ")
+    assert any(line.startswith("Worst state within limits: ") for line in lines)
 
 
 def test_two_measurements_have_no_known_mistake():
@@ -35,10 +35,11 @@ def test_two_measurements_have_no_known_mistake():
 
 def test_the_worst_joint_is_named_as_in_its_own_model():
     lines = lines_of("paper", "appendix")
-    assert "joint 2 (shoulder)" in lines[-1]
+    assert any("Worst state" in line and "joint 2 (shoulder)" in line for line in lines)
     pendulum = planar_arm((0.7,), (2.0,))
     heavier = planar_arm((0.7,), (2.3,))
-    assert "joint 1 (joint_0)" in lines_of(pendulum, heavier)[-1]
+    found = lines_of(pendulum, heavier)
+    assert any("Worst state" in line and "joint 1 (joint_0)" in line for line in found)
 
 
 def test_no_difference_has_no_mistake():

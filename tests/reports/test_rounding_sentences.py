@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from ur5check._comparison.rounding.exact_constants import RoundedConstant
 
 import ur5check
+from ur5check._comparison.rounded_constants.exact_constants import RoundedConstant
 from ur5check._comparison.rounding.error_budget import BudgetItem, PrintedDigits
 from ur5check._reports.explanation_summary import doubt_in_words
 from ur5check._reports.rounding_sentences import cause_in_words, places_in_words

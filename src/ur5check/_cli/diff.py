@@ -276,7 +276,7 @@ def _contents(
 
 
 def _first_screen_only(args: argparse.Namespace) -> bool:
-    """Whether the answer goes to the screen alone, and nobody asked for more."""
+    """Whether the answer goes to the screen alone, without --full or --by-parameter."""
     to_screen = all(t.file is None and t.form.name == "text" for t in report_targets(args))
     return to_screen and not (args.full or args.by_parameter)
 

@@ -92,7 +92,13 @@ class Pair:
         return self._written_out[1]
 
     def without_rounding(self) -> Pair:
-        """The same pair, aligned in the same way, with every rounded constant exact."""
+        """The same pair, aligned in the same way, with every rounded constant exact.
+
+        Returns
+        -------
+        Pair
+            This one where no constant is rounded; else `rounded` of the new one is this one.
+        """
         arms, corrections = self._written_out
         if not corrections:
             return self

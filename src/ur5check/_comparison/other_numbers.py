@@ -22,12 +22,22 @@ _SAME = 1e-6
 class OtherNumber:
     """A number that differs.
 
-    quantity : "damping", "effort limit", …;  unit : of both values
-    joint : name of the joint, in a; "" where it is about the arm
-    a, b : the values, in a's joint coordinates and base frame; None where a source gives none
-    place_a, place_b : where they are written, as far as that is known
-    moves_joints : whether a simulator or a controller would move the joints differently: not for
-        the tool's frame or a total mass that changes no torque, nor where one source is silent
+    Attributes
+    ----------
+    quantity : str
+        "damping", "effort limit", …
+    unit : str
+        Of both values.
+    joint : str
+        Name of the joint, in a; "" where it is about the arm.
+    a, b : float, tuple of float or None
+        The values, in a's joint coordinates and base frame; three for a vector, None where a
+        source gives none.
+    place_a, place_b : Place
+        Where they are written, as far as that is known.
+    moves_joints : bool
+        Whether a simulator or a controller would move the joints differently: not for the tool's
+        frame or a total mass that changes no torque, nor where one source is silent.
     """
 
     quantity: str

@@ -29,6 +29,8 @@ class LinkParameters:
         From the link's joint to its tip frame [m]: r_{i−1,i} of a DH listing, the next joint's
         origin of a URDF.  Where axes coincide, two files may still put frames at different places
         along them; then these differ and nothing else does.
+    tensors_known : bool
+        Whether both sources give the link's inertia tensor.
     """
 
     link: int

@@ -30,13 +30,21 @@ _ROUNDING = 1e-12  # of the largest torque: |Δτ| below it is no difference whe
 
 @dataclass(frozen=True, eq=False)
 class TorqueBand:
-    """Δτ against its standard deviation, per joint; every array of shape (n,).
+    """Δτ against its standard deviation σ_j, joint by joint.
 
-    sigma : RMS over the states of σ_j [N m]
-    ratio : largest |Δτ_j| / (2 σ_j);  worst : index of its state
-    share : of the states where |Δτ_j| > 2 σ_j
-    allowed : the largest ratio over all states and joints stays below this with a probability of
-        95 %, if both models describe the same robot with these uncertainties
+    Attributes
+    ----------
+    sigma : ndarray, shape (n,)
+        RMS over the states of σ_j [N m or N].
+    ratio : ndarray, shape (n,)
+        Largest |Δτ_j| / (2 σ_j).
+    worst : ndarray of int, shape (n,)
+        Index of the state with that ratio.
+    share : ndarray, shape (n,)
+        Of the states where |Δτ_j| > 2 σ_j, from 0 to 1.
+    allowed : float
+        The largest ratio over all states and joints stays below this with a probability of 95 %,
+        if both models describe the same robot with these uncertainties.
     """
 
     sigma: Array

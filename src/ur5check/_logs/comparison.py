@@ -56,19 +56,42 @@ _SAME_GAIN = 0.02
 class RecordingComparison(Result):
     """A model against a recording.
 
-    arm : the model;  recording : its clean rows;  signals : filtered
-    friction : the terms of each drive
-    model : the model's torque at the signals, shape (N, n) [N m]
-    joints : residuals, joint by joint;  floor : what the best parameters leave
-    causes : single causes, the likeliest first
-    parameters : base parameters;  normal : what the recording says about all parameters
-    load : carried in this recording and not in the unloaded one; None without one
-    validation : the fit tried on another recording; None without one
-    rivals : other models
-    gains : drive gains from current and controller's torque; () where the file has not both
-    findings : what is wrong with the recording
-    rows : in the file, before any was left out
-    usable : whether the torques are measured ones that can judge a model
+    Attributes
+    ----------
+    arm : SerialArm
+        The model.
+    recording : Recording
+        Its clean rows.
+    signals : Signals
+        The recording, filtered.
+    friction : FrictionModel
+        The terms of each drive.
+    model : ndarray, shape (N, n)
+        The model's torque at the signals, without motor inertia [N m or N].
+    joints : tuple of JointResidual, length n
+        What the model leaves, joint by joint.
+    floor : Floor
+        What the best parameters leave.
+    causes : tuple of Cause
+        Single causes, the likeliest first.
+    parameters : tuple of BaseParameter
+        What the recording says about each base parameter.
+    normal : NormalEquations
+        What the recording says about all parameters.
+    gains : tuple of DriveGain
+        From current and the controller's torque; () where the file has not both.
+    findings : tuple of Finding
+        What is wrong with the recording.
+    rows : int
+        Of the file, before any was left out.
+    usable : bool
+        Whether the torques are measured ones that can judge a model.
+    load : PointMass or None
+        Carried in this recording and not in the unloaded one; None without one.
+    validation : Validation or None
+        The fit tried on another recording; None without one.
+    rivals : tuple of Rival
+        The other models on the same samples.
     """
 
     arm: SerialArm
@@ -96,8 +119,10 @@ class RecordingComparison(Result):
 
     @property
     def at_floor(self) -> bool:
-        """Whether no judged joint stands above the floor by more than `AT_FLOOR` allows, or an
-        error of the drive's gain of `GAIN_KNOWN`.
+        """Whether no judged joint stands clearly above the floor.
+
+        Clearly: by more than `AT_FLOOR` allows, and by more than an error of the drive's gain of
+        `GAIN_KNOWN`.
         """
         return all(
             joint.above_floor <= AT_FLOOR or joint.excess <= GAIN_KNOWN * joint.model
@@ -106,8 +131,9 @@ class RecordingComparison(Result):
 
     @property
     def named(self) -> tuple[Cause, ...]:
-        """Causes of what stands above the floor: the likeliest, and those that it does not rule
-        out; () at the floor, or where no cause has evidence enough.
+        """Causes of what stands above the floor: the likeliest, and those not ruled out by it.
+
+        () at the floor, or where no cause has evidence enough.
         """
         return () if self.at_floor else named_causes(self.causes)
 
@@ -163,6 +189,27 @@ def compare_recording(
     ------
     UsageError
         For files that cannot be read or hold no torque, and options that do not fit.
+
+    Examples
+    --------
+    A robot that moves as the model says, with friction and noise:
+
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import numpy as np
+    >>> import ur5check
+    >>> t = np.arange(0.0, 20.0, 0.01)[:, None]
+    >>> w = np.array([0.9, 1.1, 1.3, 1.6, 1.9, 2.3])  # [rad/s], one a joint
+    >>> q, qd, qdd = np.sin(w * t), w * np.cos(w * t), -(w**2) * np.sin(w * t)
+    >>> noise = np.random.default_rng(0).normal(0.0, 0.1, q.shape)
+    >>> tau = ur5check.rnea("erd-ur5", q, qd, qdd) + 2.0 * qd + 3.0 * np.tanh(qd / 0.02) + noise
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "motion.csv"
+    ...     np.savetxt(file, np.hstack([t, q, qd, tau]), delimiter=",")
+    ...     options = ur5check.RecordingOptions(columns="t,q,qd,tau")
+    ...     found = ur5check.compare_recording("erd-ur5", file, options=options)
+    >>> found.passed
+    True
     """
     arm = as_arm(model)
     friction = FrictionModel() if friction is None else friction

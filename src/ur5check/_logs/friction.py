@@ -30,8 +30,12 @@ _STRIBECK = 0.1
 class FrictionModel:
     """Which terms a drive has.
 
-    stribeck : an excess of friction at low speed
-    asymmetric : Coulomb friction of its own for each direction
+    Attributes
+    ----------
+    stribeck : bool
+        Whether friction is larger at low speed.
+    asymmetric : bool
+        Whether each direction has Coulomb friction of its own.
     """
 
     stribeck: bool = False
@@ -49,7 +53,22 @@ class FrictionModel:
         return ("viscous", *coulomb, *(("stribeck",) if self.stribeck else ()), "offset")
 
     def columns(self, qd: Array, qdd: Array, v0: Array | float = USUAL_V0) -> Array:
-        """What each coefficient is multiplied with: of shape (…) each, shape (…, len(names))."""
+        """What each coefficient is multiplied with.
+
+        Parameters
+        ----------
+        qd : ndarray, shape (…)
+            Velocities [rad/s or m/s].
+        qdd : ndarray, shape (…)
+            Accelerations [rad/s² or m/s²].
+        v0 : float or ndarray that broadcasts with qd
+            Below it Coulomb friction changes its sign gradually [rad/s or m/s].
+
+        Returns
+        -------
+        ndarray, shape (…, len(names))
+            In the order of `names`.
+        """
         direction = np.tanh(qd / v0)
         transition = qd / v0 * (1.0 - direction**2)
         columns = [qd]

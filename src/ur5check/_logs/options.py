@@ -16,18 +16,27 @@ __all__ = ["RecordingOptions", "options_from_toml"]
 class RecordingOptions:
     """What a user says about a recording.
 
-    columns : what the columns are.  Without a header the blocks in order, "t,q,qd,tau": each
-        but t has one column a joint, "-" is a block to be left out.  With a header "q=actual_q_{i}
-        tau=effort_{i}": {i} counts joints from 0 or 1, {name} is a joint's name
-    topic : of a bag with several of joint states
-    rate : samples a second, where there is no clock [Hz]
-    degrees : whether angles are in degrees
-    gains : what a unit of the torque column, or of the current, is worth [N m], one for each
-        joint or one for all; a negative gain turns the sign
-    offsets : taken off each position [rad or m]
-    coupling : q_joints = coupling · q_recorded, and torques by its inverse transpose; rows of an
-        n × n matrix
-    by_order : whether the recording's joints are the model's in order, whatever their names
+    Attributes
+    ----------
+    columns : str
+        What the columns are.  Without a header the blocks in order, "t,q,qd,tau": each but t has
+        one column a joint, "-" is a block to be left out.  With a header "q=actual_q_{i}
+        tau=effort_{i}": {i} counts joints from 0 or 1, {name} is a joint's name.
+    topic : str
+        Of a bag with several of joint states.
+    rate : float or None
+        Samples a second, where there is no clock [Hz].
+    degrees : bool
+        Whether angles are in degrees.
+    gains : tuple of float, length n or 1
+        What a unit of the torque column, or of the current, is worth [N m or N], one for each
+        joint or one for all; a negative gain turns the sign.  () for torques as they are.
+    offsets : tuple of float, length n
+        Taken off each position [rad or m]; () for none.
+    coupling : tuple of tuple of float, shape (n, n)
+        q_joints = coupling · q_recorded, and torques by its inverse transpose; () for none.
+    by_order : bool
+        Whether the recording's joints are the model's in order, whatever their names.
     """
 
     columns: str = ""

@@ -36,7 +36,7 @@ class Contents:
 
     @classmethod
     def of_text(cls, text: str) -> Contents:
-        """Of a report that nobody wants in another format."""
+        """Of a report that is wanted as text only."""
 
         def none(*_: object) -> NoReturn:
             raise AssertionError("only text is asked for")

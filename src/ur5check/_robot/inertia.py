@@ -216,7 +216,12 @@ class Inertia:
         return np.asarray(np.linalg.eigvalsh(self.tensor), dtype=np.float64)
 
     def judged(self) -> BodyTest:
-        """Whether a body can have this inertia, within its printed digits."""
+        """Whether a body can have this inertia, within its printed digits.
+
+        Returns
+        -------
+        BodyTest
+        """
         return judge_body(self.mass, self.tensor, self.digits)
 
     def triangle_margin(self) -> float:

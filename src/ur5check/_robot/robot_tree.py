@@ -176,7 +176,17 @@ class RobotTree:
         return replace(self, links=links, joint_names=tuple(link.joint.name for link in links))
 
     def with_inertias(self, inertias: Sequence[Inertia]) -> RobotTree:
-        """The same tree with other inertias, one a moving link, each in its frame i."""
+        """The same tree with other inertias.
+
+        Parameters
+        ----------
+        inertias : sequence of Inertia, length N
+            One a moving link, each in its frame i.
+
+        Returns
+        -------
+        RobotTree
+        """
         links = (
             replace(link, link=replace(link.link, inertia=inertia))
             for link, inertia in zip(self.links, inertias, strict=True)
@@ -184,7 +194,17 @@ class RobotTree:
         return replace(self, links=tuple(links), source=self.source.as_value())
 
     def with_armature(self, armature: Sequence[float] | Array) -> RobotTree:
-        """The same tree with other motor inertias, one a joint, shape (N,)."""
+        """The same tree with other motor inertias.
+
+        Parameters
+        ----------
+        armature : array-like, shape (N,)
+            One a joint, reflected through the gear [kg m²]; [kg] for a prismatic joint.
+
+        Returns
+        -------
+        RobotTree
+        """
         links = (
             replace(link, joint=replace(link.joint, armature=float(value)))
             for link, value in zip(self.links, armature, strict=True)

@@ -309,7 +309,18 @@ class SerialArm:
         return tuple(link.name for link in self.links if not link.tensor_known)
 
     def require_tensors(self, what: str) -> None:
-        """Raise ModelError where a tensor is unknown; what : that cannot be had without it."""
+        """Refuse an arm with an unknown inertia tensor.
+
+        Parameters
+        ----------
+        what : str
+            What cannot be had without the tensors ("the mass matrix").
+
+        Raises
+        ------
+        ModelError
+            Where a tensor is unknown.
+        """
         if not self.unknown_tensors:
             return
         links = ", ".join(map(repr, self.unknown_tensors))

@@ -27,7 +27,7 @@ GAINS = Gains.placed(6, (-8.0, -10.0, -12.0))
 
 
 def model(name):
-    return PinocchioEngine(pair_up(APPENDIX, ur5check.load(name)).b)
+    return PinocchioEngine(pair_up(APPENDIX, ur5check.load(name), as_written=True).b)
 
 
 RIGHT = ComputedTorque(PLANT, GAINS)

@@ -28,6 +28,7 @@ __all__ = ["check_expression", "raise_fence"]
 # plain names they lead nowhere: `format` is a property of many descriptions.
 _WAYS_OUT = frozenset(
     {
+        "vars",
         *("format", "format_map"),  # fields such as {0.__globals__} read what no expression names
         *("gi_frame", "gi_code", "cr_frame", "cr_code", "ag_frame", "ag_code", "tb_frame"),
         *("f_back", "f_globals", "f_locals", "f_builtins", "f_code"),
