@@ -40,7 +40,7 @@ def worst_section(e: Explanation) -> Section:
 
 _RANDOM = (
     "Reached: ascents that ended at this value, of those made from independent random states. "
-    "Random: the value at the best random state [%]. All together: root of the sum of squares"
+    "All together: root of the sum of squares"
 )
 
 
@@ -57,7 +57,6 @@ def _table(
             *([Column("at most", number=True)] if bounded else []),
             Column("of limit [%]", number=True),
             Column("reached", number=True),
-            Column("random", number=True),
             Column("posture [°]"),
         ),
         tuple(
@@ -68,7 +67,6 @@ def _table(
                     *([_bound(case)] if bounded else []),
                     percent(case.effort_share),
                     f"{case.reached}/{case.starts}" if case.starts else MISSING,
-                    percent(case.best_random / case.value if case.starts else None),
                     posture(case.state["q"], joints) if case.starts else MISSING,
                 )
             )
