@@ -88,8 +88,9 @@ def _other_side(name: str, names: set[str]) -> str | None:
 def _mirrored(s: RuleSubject) -> Iterator[Finding]:
     """Left and right: equal masses; equal tensors up to the signs of two products."""
     bodies = {body.name: inertial for body, inertial in s.bodies if inertial.mass > 0.0}
+    names = set(bodies)
     for left, one in bodies.items():
-        right = _other_side(left, set(bodies))
+        right = _other_side(left, names)
         if right is None or _in_one_chain(s, left, right):
             continue
         other = bodies[right]
