@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ur5check import ModelError, RobotTree, Transform, load_robot
+from ur5check import Inertia, ModelError, RobotTree, Transform, UsageError, load_robot
 from ur5check._robot.robot import Mimic, Robot, RobotJoint, RobotLink
 
 X = np.array([1.0, 0.0, 0.0])
@@ -126,3 +126,17 @@ def test_what_is_no_tree_on_a_fixed_base_is_refused(joints, element):
     assert (caught.value.file, caught.value.element) == (
         ("drawn.urdf", None) if element is None else ("", element)
     )
+
+
+def test_other_numbers_must_fit_the_tree():
+    tree = RobotTree.of(robot(*BRANCHED))
+    rod = Inertia(1.0, np.zeros(3), 0.01 * np.eye(3))
+    heavier = tree.with_inertias([rod] * 4).with_armature([0.1, 0.2, 0.3, 0.4])
+    assert [link.link.inertia.mass for link in heavier.links] == [1.0] * 4
+    assert [link.joint.armature for link in heavier.links] == [0.1, 0.2, 0.3, 0.4]
+    for inertias in ([rod], [rod] * 5, [1.0, 2.0, 3.0, 4.0]):
+        with pytest.raises(UsageError):
+            tree.with_inertias(inertias)
+    for armature in ([0.1], [0.1] * 5, [0.1, 0.2, 0.3, float("nan")]):
+        with pytest.raises(ModelError):
+            tree.with_armature(armature)

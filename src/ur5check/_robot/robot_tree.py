@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._arguments import instance
-from .._errors import ModelError
+from .._errors import ModelError, UsageError
 from .inertia import Inertia
 from .robot import Robot, RobotJoint, RobotLink
 from .serial_arm import Joint, Link, SerialArm, Source
@@ -186,10 +186,19 @@ class RobotTree:
         Returns
         -------
         RobotTree
+
+        Raises
+        ------
+        UsageError
+            For another number of inertias, or values of another type.
         """
+        bodies = [instance("inertias", one, Inertia, "give ur5check.Inertia") for one in inertias]
+        if len(bodies) != len(self.links):
+            count = len(self.links)
+            raise UsageError(f"{self.name!r} has {count} moving links; give {count} inertias")
         links = (
             replace(link, link=replace(link.link, inertia=inertia))
-            for link, inertia in zip(self.links, inertias, strict=True)
+            for link, inertia in zip(self.links, bodies, strict=True)
         )
         return replace(self, links=tuple(links), source=self.source.as_value())
 
@@ -204,10 +213,16 @@ class RobotTree:
         Returns
         -------
         RobotTree
+
+        Raises
+        ------
+        ModelError
+            For another shape, or entries that are not finite numbers.
         """
+        values = frozen(armature, (len(self.links),), "armature").tolist()
         links = (
             replace(link, joint=replace(link.joint, armature=float(value)))
-            for link, value in zip(self.links, armature, strict=True)
+            for link, value in zip(self.links, values, strict=True)
         )
         return replace(self, links=tuple(links), source=self.source.as_value())
 
