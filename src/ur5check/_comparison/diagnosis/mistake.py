@@ -3,6 +3,7 @@ the rule of family CMP under which it is reported."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
@@ -66,7 +67,7 @@ Repair = tuple[str, Any]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Mistake:
+class Mistake(ABC):
     """A known mistake between two models of one arm.
 
     id : how reports, tests and the docs name it
@@ -88,14 +89,14 @@ class Mistake:
     severity: Severity = "warning"
 
     @property
+    @abstractmethod
     def spoils(self) -> str:
         """What it makes wrong, in words."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def consequence(self) -> str:
         """What it does to a user of the model, as a clause."""
-        raise NotImplementedError
 
     def rule(self) -> Rule:
         """The record in the registry of rules."""

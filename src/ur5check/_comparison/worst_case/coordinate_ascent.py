@@ -22,6 +22,7 @@ All starts are moved at the same time, as one array of states.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
@@ -194,7 +195,7 @@ class _Ascent:
         self.q, self.qd = tried_q[each, best], tried_qd[each, best]
 
 
-class _Line:
+class _Line(ABC):
     """The range of one coordinate x, and the parts of F along it: Σ_p basis_p(x) c_p."""
 
     def __init__(self, lower: float, upper: float, samples: Array) -> None:
@@ -204,9 +205,9 @@ class _Line:
         self.grid = self.middle + self.half * _GRID
         self.on_grid = self.basis(self.grid)
 
+    @abstractmethod
     def basis(self, x: Array) -> Array:
         """Of degree 2, shape (..., p)."""
-        raise NotImplementedError
 
     def highest(self, coefficients: Array, present: Array) -> Array:
         """Where F is largest, shape (N,); the present x where no other is higher.
