@@ -122,7 +122,7 @@ def align(a: SerialArm, b: SerialArm) -> Alignment:
     if not fits:
         return _not_aligned(a, b, exact_a, exact_b)
     torques = TorqueDifference(exact_a, exact_b)
-    best, *others = _ranked(a, b, [torques.settled(fit) for fit in fits], torques)
+    best, *others = _ranked(a, b, [torques.with_open_zeros_found(fit) for fit in fits], torques)
     written = align_as_written(a, b)
     if not written.exact and same_recipe(a, arm_in_coordinates_of(a, b, written)):
         maps = numbers_as_written(exact_a, exact_b)

@@ -152,12 +152,12 @@ class TorqueDifference:
         """The same for b's inertial parameters as they are taken to be in a's link frames."""
         return self.relative(self._torque - self._regressor(self.a.gravity) @ pi_b)
 
-    def settled(self, fit: AxisFit) -> AxisFit:
+    def with_open_zeros_found(self, fit: AxisFit) -> AxisFit:
         """The fit with its open zeros where the torque difference is smallest.
 
         A zero that torques do not show either stays where it is, and unknown.
         """
-        # One zero may hide behind another: a second round sees the first ones settled.
+        # One zero may hide behind another: a second round sees the first ones found.
         for zero in fit.open_zeros * (1 if len(fit.open_zeros) < 2 else 2):
             curve = _Curve.through(
                 zero, {by: self.torque(fit.moved(zero, by)) / self._scale for by in _samples(zero)}

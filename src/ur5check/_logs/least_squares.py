@@ -38,8 +38,9 @@ UNEXCITED = 1e-6
 class Fit:
     """Coefficients of k columns.
 
-    value, half_width : shape (k,); value ± half_width holds the truth in 95 % of recordings of the
-        same motion and drive
+    value, half_width : shape (k,); value ± half_width is nominally a 95 % interval.  It knows
+        what differs between blocks of time, not what is wrong alike in all of them: with dry
+        friction it held the truth in 50 to 83 % of simulated runs (docs/recordings-benchmark.md)
     covariance : shape (k, k)
     residual : as y
     rank : number of excited directions

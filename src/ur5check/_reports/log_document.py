@@ -22,6 +22,13 @@ from .wording import MISSING, figures, titled
 __all__ = ["log_document"]
 
 
+#: What a half width is, and how far to trust it: docs/recordings-benchmark.md.
+_INTERVAL = (
+    "± is nominally 95 %, by the scatter between blocks of this recording; in simulated runs with "
+    "dry friction it held the truth in 50 to 83 %"
+)
+
+
 def log_document(c: RecordingComparison, *, command: str = "") -> Document:
     """The report of `ur5check log`."""
     return Document(
@@ -112,8 +119,7 @@ def _drives(c: RecordingComparison) -> Section:
                 (Column("joint"), *(Column(name, number=True) for name in names)),
                 tuple(rows),
                 note="Viscous [N m s/rad], Coulomb, offset and transition [N m], rotor [kg m²]; "
-                "± is a 95 % interval over blocks of this recording. Between recordings such "
-                "values scatter about three times as much.",
+                f"{_INTERVAL}. Between recordings such values scatter about three times as much.",
             ),
         ),
     )
@@ -185,8 +191,8 @@ def _parameters(c: RecordingComparison) -> Section:
                     Column("differs"),
                 ),
                 tuple(rows),
-                note="SI units, in the links' own frames i. ± is a 95 % interval over blocks of "
-                f"this recording; a change counts beyond {BETWEEN_RUNS:g} times that, the scatter "
+                note=f"SI units, in the links' own frames i. {_INTERVAL}; a change counts beyond "
+                f"{BETWEEN_RUNS:g} times that, the scatter "
                 "between recordings. Masses of single links are not among what torques determine.",
             ),
             *validation,

@@ -42,7 +42,9 @@ class RecordingValue(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Interval(msgspec.Struct, frozen=True, kw_only=True):
-    """A value; value ± half_width is a 95 % interval."""
+    """A value; value ± half_width is nominally a 95 % interval, which in simulated runs with dry
+    friction held the truth in 50 to 83 % (docs/recordings-benchmark.md).
+    """
 
     name: str
     value: Number
@@ -86,7 +88,7 @@ class CauseValue(msgspec.Struct, frozen=True, kw_only=True):
 
 class ParameterValue(msgspec.Struct, frozen=True, kw_only=True):
     """One base parameter in SI units: the model's value, and the change that the recording asks
-    for, with its 95 % interval.
+    for, with its nominal 95 % interval.
     """
 
     parameter: str

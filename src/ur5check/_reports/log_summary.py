@@ -122,7 +122,7 @@ def _clearly_negative(drive: object) -> bool:
 
 
 def cause_in_words(cause: Cause, c: RecordingComparison) -> str:
-    """A cause with its values and 95 % intervals."""
+    """A cause with its values and nominal 95 % intervals."""
     value, width = cause.value, cause.half_width
     joint = c.joints[cause.joint - 1].name if cause.joint else ""
     match cause.id:
